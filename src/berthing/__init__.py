@@ -1,0 +1,1 @@
+"""Plan collision-free, optimal motion for full-shape rigid bodies in tight spaces."""

@@ -1,0 +1,1 @@
+"""Convex sets, bodies and poses: what a thing is."""
