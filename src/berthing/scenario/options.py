@@ -1,0 +1,37 @@
+"""How to solve: the scenario's own wishes, which the command line overrules."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from berthing.errors import InputError
+
+
+@dataclass(frozen=True)
+class SolverOptions:
+    """Choices of method.
+
+    Attributes:
+        formulation: how separation is written, e.g. ``plane``.
+        scheme: how time is discretised, e.g. ``lgr``.
+        nodes: collocation nodes; None leaves the number to the planner.
+        time_limit_s: wall time allowed; None for no limit.
+        seed: of the guesses.
+
+    Raises:
+        InputError: fewer than two nodes, a time limit not positive, a negative seed.
+    """
+
+    formulation: str = "plane"
+    scheme: str = "lgr"
+    nodes: int | None = None
+    time_limit_s: float | None = None
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        if self.nodes is not None and self.nodes < 2:
+            raise InputError("nodes", f"is {self.nodes}", "2 or more")
+        if self.time_limit_s is not None and not self.time_limit_s > 0.0:
+            raise InputError("time_limit_s", f"is {self.time_limit_s}", "a positive number")
+        if self.seed < 0:
+            raise InputError("seed", f"is {self.seed}", "0 or more")
