@@ -1,0 +1,50 @@
+# Everything runs in .venv, which is made from requirements.lock when first needed.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --disable-pip-version-check
+# Tests run in parallel; say PYTEST_ARGS= to run them in one process.
+PYTEST_ARGS ?= -n auto
+
+.PHONY: help plan test test-slow lint lock clean
+help:
+	@echo "make plan       set up, plan scenario-a, print its verdict, write plans/scenario-a"
+	@echo "make test       set up, then lint, types, layers and the quick tests"
+	@echo "make test-slow  set up, then the slow tests"
+	@echo "make lock       resolve requirements.lock again"
+
+$(VENV)/.ready: requirements.lock pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+		|| { echo "berthing needs Python 3.11 or later (say PYTHON=...)"; exit 1; }
+	@echo "setting up $(VENV) (about 1 GB)"
+	@$(PYTHON) -m venv --clear $(VENV)
+	@$(PIP) install --quiet --require-hashes -r requirements.lock
+	@$(PIP) install --quiet --no-deps --no-build-isolation -e .
+	@touch $@
+
+plan: $(VENV)/.ready
+	@$(BIN)/berthing plan scenario-a --force
+
+lint: $(VENV)/.ready
+	$(BIN)/ruff check
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+test: lint
+	$(BIN)/pytest $(PYTEST_ARGS)
+
+test-slow: $(VENV)/.ready
+	$(BIN)/pytest $(PYTEST_ARGS) -m slow
+
+# Versions and hashes only: no index addresses, no file paths. The public index is asked, whatever
+# this machine is set to use.
+lock:
+	$(PYTHON) -m venv --clear build/lock
+	build/lock/bin/python -m pip install --quiet pip-tools
+	env -u PIP_FIND_LINKS -u PIP_EXTRA_INDEX_URL PIP_CONFIG_FILE=/dev/null \
+		build/lock/bin/pip-compile --quiet --upgrade --extra dev --generate-hashes --allow-unsafe \
+		--strip-extras --no-header --no-annotate --no-emit-index-url --no-emit-find-links \
+		--no-emit-trusted-host --output-file requirements.lock pyproject.toml
+
+clean:
+	rm -rf $(VENV) build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
