@@ -1,0 +1,1 @@
+"""Numeric separation of placed bodies, and bounds on it."""
