@@ -38,7 +38,7 @@ def direction(value: Array, length: int, where: str) -> Array:
     vector = as_array(value, (length,), where)
     norm = float(np.linalg.norm(vector))
     if norm == 0.0:
-        raise InputError(where, "is zero", "a direction")
+        raise InputError(where, "is a zero vector", "a direction")
     return as_array(vector / norm, (length,), where)
 
 

@@ -16,7 +16,7 @@ from berthing.scenario.scenario import Scenario
 from berthing.scenario.schema.document import ScenarioFile, SinglePhaseFile
 from berthing.scenario.source import Source
 from berthing.scenario.suggest import did_you_mean
-from berthing.scenario.validate import validated
+from berthing.scenario.validate import quoted, validated
 
 SUFFIXES = (".yaml", ".yml", ".json")
 
@@ -34,7 +34,11 @@ def load(name_or_path: str | Path) -> Scenario:
     if case is not None:
         return _build(read(case, given))
     path = Path(name_or_path)
-    if path.is_file():
+    try:
+        is_file = path.is_file()
+    except OSError as error:
+        raise InputError(quoted(given), f"cannot be read: {error.strerror}") from None
+    if is_file:
         return _build(read(path))
     raise _unknown(given, path)
 

@@ -50,6 +50,7 @@ def _parse_yaml(text: str, name: str) -> Source:
         mark = error.problem_mark or error.context_mark
         where = f"{name}:{mark.line + 1}" if mark else name
         problem = " ".join(str(error.problem or error.context).split())
+        problem = problem.split(" with value ")[0]  # a key that stands twice, quoted at length
         raise InputError(where, f"is not well-formed YAML: {problem}") from None
     except (YAMLError, ValueError) as error:
         problem = " ".join(str(error).split())

@@ -15,8 +15,10 @@ from berthing.geometry.pose import Pose
 from berthing.scenario.attitude import UNIT_ROUNDING
 from berthing.scenario.motion import Motion
 
-# The quaternion spline must not come near zero, where its direction turns without bound. Rows
-# closer together than about 90° keep its norm above this on every segment.
+# Between rows further apart than this the way round is a guess.
+MAX_STEP_RAD = 0.5 * np.pi
+# The quaternion spline must not come near zero, where its direction turns without bound. Evenly
+# spaced rows within MAX_STEP_RAD keep it above 0.8; wild spacing makes a spline overshoot.
 MIN_SPLINE_NORM = 0.5
 
 
@@ -62,13 +64,7 @@ class Tabulated(Motion):
         object.__setattr__(self, "positions_m", positions)
         object.__setattr__(self, "quaternions", rows)
         object.__setattr__(self, "coefficients", np.asarray(spline.c, dtype=np.float64))
-        for i in range(len(times) - 1):
-            if (
-                _norm_floor(self._bernstein(i, times[i], times[i + 1])[:, self.dim :])
-                < MIN_SPLINE_NORM
-            ):
-                between = f"turn too far between {times[i]:g} and {times[i + 1]:g} s"
-                raise InputError("quaternions", between, "rows less than about 90° apart")
+        self._check_turns()
 
     @property
     def dim(self) -> int:
@@ -108,6 +104,18 @@ class Tabulated(Motion):
             turn = _norm_ceiling(slope[:, self.dim :])
             rate = max(rate, 2.0 * turn / _norm_floor(control[:, self.dim :]))
         return speed, rate
+
+    def _check_turns(self) -> None:
+        steps = quaternion.angle_between(self.quaternions[:-1], self.quaternions[1:])
+        for i, step in enumerate(steps):
+            start, end = self.times_s[i], self.times_s[i + 1]
+            between = f"between {start:g} and {end:g} s"
+            if step > MAX_STEP_RAD:
+                what = f"turn by {step:.4g} rad {between}"
+                raise InputError("quaternions", what, "rows at most π/2 apart")
+            if _norm_floor(self._bernstein(i, start, end)[:, self.dim :]) < MIN_SPLINE_NORM:
+                what = f"make the spline overshoot {between}"
+                raise InputError("quaternions", what, "rows more evenly spaced in time")
 
     def _intervals(self, low: float, high: float) -> tuple[int, int]:
         last = len(self.times_s) - 2

@@ -89,17 +89,22 @@ def _missing(finding: ErrorDetails) -> Told:
 def _unknown_key(finding: ErrorDetails) -> Told:
     context = finding.get("ctx", {})
     listed = "" if context.get("hint") else f"one of: {', '.join(context['known'])}"
-    return (*finding["loc"], context["key"]), finding["msg"], listed
+    return (*finding["loc"], Absent(context["key"])), finding["msg"], listed
 
 
 def _unknown_tag(finding: ErrorDetails) -> Told:
     context = finding.get("ctx", {})
     key = str(context["discriminator"]).strip("'")
     if not key.isidentifier():  # told apart by kind, not by a key
-        return finding["loc"], f"is {quoted(finding['input'])}", "another kind of value"
+        tags = str(context["expected_tags"]).split(",")
+        kinds = [_KINDS.get(tag.strip(" '"), "another value") for tag in tags]
+        return finding["loc"], f"is {quoted(finding['input'])}", " or ".join(kinds)
     options = [tag.strip(" '") for tag in str(context["expected_tags"]).split(",")]
     what = f"is {quoted(context['tag'])}{did_you_mean(str(context['tag']), options)}"
     return (*finding["loc"], key), what, f"one of: {', '.join(options)}"
+
+
+_KINDS = {"list": "a list", "block": "a block of keys", "word": "free", "number": "a number"}
 
 
 def _missing_tag(finding: ErrorDetails) -> Told:
@@ -137,5 +142,6 @@ _TELLERS: dict[str, Callable[[ErrorDetails], Told]] = {
     "list_type": _expecting("a list"),
     "dict_type": _expecting("a block of keys"),
     "model_type": _expecting("a block of keys"),
+    "model_attributes_type": _expecting("a block of keys"),
     "literal_error": _expecting("{expected}"),
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Annotated, Literal
 
 from pydantic import Field, JsonValue, model_validator
@@ -95,6 +96,15 @@ class Common(Block):
     meta: dict[str, JsonValue] = Field(
         default={}, description="what exports need: epoch, centre, frame, object ids"
     )
+
+    @model_validator(mode="after")
+    def _meta_is_json(self) -> Common:
+        # Checked as text: pydantic lets infinities and NaN pass inside free-form values.
+        try:
+            json.dumps(self.meta, allow_nan=False)
+        except ValueError:
+            raise PydanticCustomError("rule", "has NaN or an infinite number in meta") from None
+        return self
 
 
 class SinglePhaseFile(PhaseContent, Common):
