@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cache
 from math import log2
 from typing import Any
 
@@ -11,11 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from berthing.clearance.coal_shapes import coal_pair
-from berthing.clearance.plane import check_dimensions, plane_bound
+from berthing.clearance.plane import check_dimensions
 from berthing.clearance.support_search import best_normal, sphere_samples
 from berthing.errors import InputError
 from berthing.geometry.arrays import Array
-from berthing.geometry.convex_set import ConvexSet, unit
+from berthing.geometry.convex_set import ConvexSet, norm
 from berthing.geometry.pose import Pose
 
 # With coal's default of 1e-6 distances are off by 5e-6 m and the planes of its normals prove up to
@@ -35,6 +36,8 @@ FAILED_DISTANCE = 1e300
 # Directions in which the depth of overlapping sets is checked: coal has reported a plane that is
 # tangent to both sets but much deeper than need be.
 CHECKED_DIRECTIONS = 128
+# A normal of coal shorter than this, after its part along z is dropped, is no direction.
+SHORTEST_NORMAL = 1e-3
 # Gap, as a fraction of the sizes, opened between overlapping sets to find where they would touch.
 TOUCH_GAP = 1e-3
 
@@ -65,7 +68,7 @@ class Separation:
 
 @dataclass(frozen=True, eq=False)
 class _Answer:
-    """In A's frame; ``proven`` is the plane bound of the normal."""
+    """In A's frame, metres; ``proven`` is the plane bound of the normal."""
 
     distance: float
     normal: Array
@@ -98,6 +101,9 @@ class PairQuery:
         CapabilityError: a shape without a distance query.
     """
 
+    # Inside, the pose of B in A's frame is a pair of arrays, for a query takes as long as
+    # thirty NumPy calls: (..., d, d) and (..., d).
+
     def __init__(self, a: ConvexSet, b: ConvexSet) -> None:
         if a.dim != b.dim:
             raise InputError(
@@ -113,12 +119,9 @@ class PairQuery:
         # coal's functor holds bare pointers to the geometries: they must outlive it.
         self._coal_a, self._coal_b = coal_pair(a, b, self._scale)
         self._distance = coal.ComputeDistance(self._coal_a.geometry, self._coal_b.geometry)
-        self._requests = [_request(tolerance) for tolerance in EPA_TOLERANCES]
         self._result = coal.DistanceResult()
         self._identity = coal.Transform3s.Identity()
         self._pose = coal.Transform3s.Identity()
-        self._checked = sphere_samples(CHECKED_DIRECTIONS, self.dim)
-        self._checked_extent = a.support(self._checked)[0]
 
     def query(self, pose_a: Pose, pose_b: Pose) -> Separation:
         """The separation at two single poses.
@@ -129,15 +132,15 @@ class PairQuery:
         check_dimensions(self.a, pose_a, self.b, pose_b)
         if pose_a.batch_shape or pose_b.batch_shape:
             raise InputError("PairQuery.query", "was given a batch of poses", "single poses")
-        relative = pose_a.inverse().compose(pose_b)
-        answer = self._answer(relative)
-        normal = pose_a.rotate(answer.normal)
+        turn = pose_a.rotation
+        rotation, position = turn.T @ pose_b.rotation, (pose_b.position - pose_a.position) @ turn
+        answer = self._answer(rotation, position)
         return Separation(
             answer.distance,
-            normal,
-            pose_a.apply(answer.point_a),
-            pose_a.apply(answer.point_b),
-            float(plane_bound(self.a, pose_a, self.b, pose_b, normal)),
+            turn @ answer.normal,
+            turn @ answer.point_a + pose_a.position,
+            turn @ answer.point_b + pose_a.position,
+            answer.proven,
         )
 
     def batch(self, poses_a: Pose, poses_b: Pose) -> tuple[Array, Array, Array]:
@@ -158,115 +161,127 @@ class PairQuery:
             found = f"{poses_a.batch_shape} and {poses_b.batch_shape}"
             raise InputError("PairQuery.batch", f"was given batches {found}", "(k,) and (k,) or ()")
         relative = poses_a.inverse().compose(poses_b)
-        distance, normal = self._many(relative)
-        proven = self._proven(relative, normal)
-        doubtful = ~self._believable(relative, distance, proven)
+        rotation, position = relative.rotation, relative.position
+        distance, normal = self._many(rotation, position)
+        proven = self._proven(rotation, position, normal)
+        doubtful = ~self._believable(rotation, position, distance, proven)
         distance = np.maximum(distance, proven)
         for i in np.flatnonzero(doubtful):
-            answer = self._careful(relative[i])
-            distance[i], normal[i] = answer.distance, answer.normal
-        normal = poses_a.rotate(normal)
-        return distance, normal, plane_bound(self.a, poses_a, self.b, poses_b, normal)
+            answer = self._careful(rotation[i], position[i])
+            distance[i], normal[i], proven[i] = answer.distance, answer.normal, answer.proven
+        return distance, poses_a.rotate(normal), proven
 
-    def _many(self, relative: Pose) -> tuple[Array, Array]:
-        """Distances and normals, A's frame, as coal gives them with the tightest request."""
-        rotations, positions = self._for_coal(relative)
+    def _many(self, rotation: Array, position: Array) -> tuple[Array, Array]:
+        """Distances and normals as coal gives them with the tightest request."""
+        rotations, positions = self._for_coal(rotation, position)
         distances, normals = np.empty(len(positions)), np.empty(positions.shape)
-        request, result, identity = self._requests[0], self._result, self._identity
+        request, result, identity = _request(EPA_TOLERANCES[0]), self._result, self._identity
         compute, pose = self._distance, self._pose
         place, clear = pose.setTransform, result.clear
-        for i, (rotation, position) in enumerate(zip(rotations, positions, strict=True)):
-            place(rotation, position)
+        for i, (turn, shift) in enumerate(zip(rotations, positions, strict=True)):
+            place(turn, shift)
             clear()
             distances[i] = compute(identity, pose, request, result)
             normals[i] = result.normal
-        return self._metres(distances), self._planar_normal(normals)
+        return self._metres(distances), self._own_normal(normals)
 
-    def _answer(self, relative: Pose) -> _Answer:
-        answer = self._ask_coal(relative, self._requests[0])
-        return answer if self._sound(relative, answer) else self._careful(relative)
+    def _answer(self, rotation: Array, position: Array) -> _Answer:
+        answer = self._ask_coal(rotation, position, EPA_TOLERANCES[0])
+        if self._sound(rotation, position, answer):
+            return answer
+        return self._careful(rotation, position)
 
-    def _careful(self, relative: Pose) -> _Answer:
+    def _careful(self, rotation: Array, position: Array) -> _Answer:
         """The first sound answer of looser requests and of the search by support functions.
 
         If none is, the one that proves most is the nearest to the truth, for the signed distance
         is the largest plane bound over all normals.
         """
         answers = []
-        for request in self._requests[1:]:
-            answers.append(self._ask_coal(relative, request))
-            if self._sound(relative, answers[-1]):
+        for tolerance in EPA_TOLERANCES[1:]:
+            answers.append(self._ask_coal(rotation, position, tolerance))
+            if self._sound(rotation, position, answers[-1]):
                 return answers[-1]
-        answers.append(self._search(relative))
+        answers.append(self._search(rotation, position))
         best = max(answers, key=lambda answer: answer.proven)
         return replace(best, distance=best.proven)
 
-    def _sound(self, relative: Pose, answer: _Answer) -> bool:
-        return bool(self._believable(relative, np.array(answer.distance), np.array(answer.proven)))
+    def _sound(self, rotation: Array, position: Array, answer: _Answer) -> bool:
+        distance, proven = np.array([answer.distance]), np.array([answer.proven])
+        return bool(self._believable(rotation[None], position[None], distance, proven)[0])
 
-    def _believable(self, relative: Pose, distance: Array, proven: Array) -> Flags:
+    def _believable(
+        self, rotation: Array, position: Array, distance: Array, proven: Array
+    ) -> Flags:
         """Whether the plane proves the distance, and no checked direction disproves the depth."""
         tolerance = ACCEPTED_GAP * self._size
         fine = np.asarray(distance - proven <= tolerance)
         overlapping = np.asarray(fine & (distance < 0.0))
         if overlapping.any():
-            deep = relative[overlapping]
-            turned = -self._checked @ deep.rotation
-            bound = deep.position @ self._checked.T - self._checked_extent
-            bound = bound - self.b.support(turned)[0]
+            n = sphere_samples(CHECKED_DIRECTIONS, self.dim)
+            extent_b = self.b.support(-n @ rotation[overlapping])[0]
+            bound = position[overlapping] @ n.T - self.a.support(n)[0] - extent_b
             fine[overlapping] = np.max(bound, axis=-1) <= proven[overlapping] + tolerance
         return fine
 
-    def _ask_coal(self, relative: Pose, request: Any) -> _Answer:
-        rotation, position = self._for_coal(relative)
-        self._pose.setTransform(rotation, position)
-        self._result.clear()
-        raw = self._distance(self._identity, self._pose, request, self._result)
+    def _ask_coal(self, rotation: Array, position: Array, epa_tolerance: float) -> _Answer:
+        self._pose.setTransform(*self._for_coal(rotation, position))
+        result = self._result
+        result.clear()
+        raw = self._distance(self._identity, self._pose, _request(epa_tolerance), result)
         distance = float(self._metres(np.array(raw)))
-        normal = self._planar_normal(np.array(self._result.normal))
-        turn = self._coal_a.turn
-        point_a = (turn @ self._result.getNearestPoint1())[: self.dim] / self._scale
-        point_b = (turn @ self._result.getNearestPoint2())[: self.dim] / self._scale
-        proven = float(self._proven(relative, normal))
+        normal = self._own_normal(result.normal)
+        to_own = self._coal_a.turn[: self.dim] / self._scale
+        point_a, point_b = to_own @ result.getNearestPoint1(), to_own @ result.getNearestPoint2()
+        proven = float(self._proven(rotation, position, normal))
         return _Answer(max(distance, proven), normal, point_a, point_b, proven)
 
-    def _search(self, relative: Pose) -> _Answer:
+    def _search(self, rotation: Array, position: Array) -> _Answer:
         """By support functions; the witnesses are found where the sets would just not touch."""
-        normal = best_normal(self.a, self.b, relative.rotation, relative.position)
-        proven = float(self._proven(relative, normal))
-        shift = (TOUCH_GAP * self._size - proven) * normal
-        apart = Pose(relative.position + shift, relative.rotation)
-        touch = self._ask_coal(apart, self._requests[0])
-        point_a = touch.point_a if self._sound(apart, touch) else self.a.support(normal)[1]
+        normal = best_normal(self.a, self.b, rotation, position)
+        proven = float(self._proven(rotation, position, normal))
+        apart = position + (TOUCH_GAP * self._size - proven) * normal
+        touch = self._ask_coal(rotation, apart, EPA_TOLERANCES[0])
+        found = self._sound(rotation, apart, touch)
+        point_a = touch.point_a if found else self.a.support(normal)[1]
         return _Answer(proven, normal, point_a, point_a + proven * normal, proven)
 
-    def _for_coal(self, relative: Pose) -> tuple[Array, Array]:
-        """The pose of B's geometry in the frame of A's, in three dimensions."""
-        batch = relative.batch_shape
-        rotation, position = np.zeros((*batch, 3, 3)), np.zeros((*batch, 3))
-        rotation[..., 2, 2] = 1.0
-        rotation[..., : self.dim, : self.dim] = relative.rotation
-        position[..., : self.dim] = self._scale * relative.position
+    def _for_coal(self, rotation: Array, position: Array) -> tuple[Array, Array]:
+        """The pose of B's geometry in the frame of A's, in three dimensions, enlarged."""
+        if self.dim == 2:
+            batch = position.shape[:-1]
+            planar_rotation, planar_position = rotation, position
+            rotation, position = np.zeros((*batch, 3, 3)), np.zeros((*batch, 3))
+            rotation[..., 2, 2] = 1.0
+            rotation[..., :2, :2] = planar_rotation
+            position[..., :2] = planar_position
         turn_a, turn_b = self._coal_a.turn, self._coal_b.turn
-        return turn_a.T @ rotation @ turn_b, position @ turn_a
+        return turn_a.T @ rotation @ turn_b, self._scale * (position @ turn_a)
 
     def _metres(self, distance: Array) -> Array:
         """coal's distance in metres; infinity, which no plane proves, where coal failed."""
         failed = ~(np.abs(distance) < FAILED_DISTANCE)
         return np.asarray(np.where(failed, np.inf, distance / self._scale))
 
-    def _planar_normal(self, normal: Array) -> Array:
-        """coal's normal in A's frame, d components, of length 1 or 0 where coal gave none."""
-        own = normal @ self._coal_a.turn.T
-        return unit(np.where(np.isfinite(own), own, 0.0)[..., : self.dim])
+    def _own_normal(self, normal: Array) -> Array:
+        """coal's normal in A's frame, d components, of length 1, or 0 where it is no direction."""
+        own = (normal @ self._coal_a.turn.T)[..., : self.dim]
+        length = norm(own)
+        # Not for NaN either.
+        usable = length > SHORTEST_NORMAL
+        return np.asarray(
+            np.where(usable[..., None], own / np.where(usable, length, 1.0)[..., None], 0.0)
+        )
 
-    def _proven(self, relative: Pose, normal: Array) -> Array:
+    def _proven(self, rotation: Array, position: Array, normal: Array) -> Array:
         """Plane bounds in A's frame; a normal of length 0 proves nothing."""
-        extents = self.a.support(normal)[0] + self.b.support(-relative.unrotate(normal))[0]
-        bound = np.einsum("...i,...i->...", normal, relative.position) - extents
+        seen_by_b = (normal[..., None, :] @ rotation)[..., 0, :]
+        extents = self.a.support(normal)[0] + self.b.support(-seen_by_b)[0]
+        bound = np.sum(normal * position, axis=-1) - extents
         return np.asarray(np.where(normal.any(axis=-1), bound, -np.inf))
 
 
+@cache
 def _request(epa_tolerance: float) -> Any:
     request = coal.DistanceRequest()
     request.gjk_tolerance = GJK_TOLERANCE

@@ -7,6 +7,7 @@ that overlap, queries that did not converge.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 from scipy.optimize import minimize
@@ -82,6 +83,7 @@ def _refined(bound: Callable[[Array], Array], start: Array, spread: float) -> Ar
     return normal(np.asarray(found.x))
 
 
+@cache
 def sphere_samples(count: int, dim: int) -> Array:
     """``count`` unit vectors (count, dim) spread evenly over the circle or the sphere."""
     index = np.arange(count)
