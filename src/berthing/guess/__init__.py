@@ -1,0 +1,1 @@
+"""First trajectories for the solver, from nothing but the scenario."""

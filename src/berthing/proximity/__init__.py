@@ -1,0 +1,1 @@
+"""Separation rows of a pair of convex sets, one formulation a file."""

@@ -1,0 +1,80 @@
+"""What a formulation of "these two sets stay apart" has to say about one pair at one instant."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from berthing.geometry.arrays import Array
+from berthing.geometry.pose import Pose
+
+Sym = Any
+
+
+@dataclass(frozen=True)
+class Variables:
+    """Decision variables of one block, by name.
+
+    Attributes:
+        names: one a scalar, e.g. ``n_x``.
+        lower, upper: bounds (k,); infinite where there is none.
+    """
+
+    names: tuple[str, ...]
+    lower: Array
+    upper: Array
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Rows lower ≤ expression ≤ upper.
+
+    Attributes:
+        expression: casadi column (m,).
+        lower, upper: (m,).
+        separation: index of the row that states the distance, for naming and costates.
+        regulariser: a scalar that keeps the multipliers small; no part of the cost.
+    """
+
+    expression: Sym
+    lower: Array
+    upper: Array
+    separation: int
+    regulariser: Sym
+
+
+class PairFormulation(ABC):
+    """The separation of one pair of sets A and B, posed in the world frame.
+
+    ``variables`` and ``rows`` belong together: ``rows`` takes one expression a variable.
+    """
+
+    variables: Variables
+
+    @abstractmethod
+    def rows(
+        self, v: Sym, pose_a: tuple[Sym, Sym], pose_b: tuple[Sym, Sym], margin_m: Sym, length_m: float
+    ) -> Rows:
+        """Rows that hold only if the sets are at least ``margin_m`` apart.
+
+        Args:
+            v: the block's variables (k,).
+            pose_a, pose_b: position (d,) and rotation (d, d) of each set's own frame.
+            margin_m: the distance to keep, a number or an expression.
+            length_m: the length that the separation row is divided by.
+        """
+
+    @abstractmethod
+    def start(self, pose_a: Pose, pose_b: Pose) -> Array:
+        """Values (n, k) of the variables for n pairs of poses, whether apart or not."""
+
+
+def unbounded(names: tuple[str, ...]) -> Variables:
+    """Free variables of these names."""
+    return Variables(names, np.full(len(names), -np.inf), np.full(len(names), np.inf))

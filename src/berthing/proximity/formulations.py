@@ -1,0 +1,29 @@
+"""The table of formulations by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from berthing.errors import InputError
+from berthing.geometry.convex_set import ConvexSet
+from berthing.proximity.formulation import PairFormulation
+from berthing.proximity.plane import PlaneFormulation
+
+FORMULATIONS: dict[str, Callable[[ConvexSet, ConvexSet], PairFormulation]] = {
+    "plane": PlaneFormulation,
+}
+
+
+def formulate(name: str, a: ConvexSet, b: ConvexSet) -> PairFormulation:
+    """The formulation ``name`` for the sets A and B.
+
+    Raises:
+        InputError: no such formulation.
+        CapabilityError: the formulation cannot take one of the sets.
+    """
+    try:
+        build = FORMULATIONS[name]
+    except KeyError:
+        known = ", ".join(sorted(FORMULATIONS))
+        raise InputError("formulation", f"there is no {name!r}", f"one of {known}") from None
+    return build(a, b)

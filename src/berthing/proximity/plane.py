@@ -1,0 +1,79 @@
+"""The separating-plane form, exact, in the normal and the multipliers of two support functions.
+
+With n from A to B, ‖n‖ ≤ 1, the clearance is at least n·(r_B - r_A) - h_A(n) - h_B(-n), and the
+best n attains it when the sets are apart. Any feasible point proves the margin, so a solver that
+stops early can only understate. The normal is a variable in B's frame: for a structure that is the
+frame in which its own support function does not move.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+
+from berthing.geometry.arrays import Array
+from berthing.geometry.convex_set import ConvexSet
+from berthing.geometry.pose import Pose
+from berthing.proximity.formulation import PairFormulation, Rows, Sym, Variables, unbounded
+from berthing.proximity.support_epigraph import support_epigraph
+
+
+class PlaneFormulation(PairFormulation):
+    """``plane`` for one pair of sets."""
+
+    def __init__(self, a: ConvexSet, b: ConvexSet) -> None:
+        self.a, self.b = a, b
+        self.epigraph_a, self.epigraph_b = support_epigraph(a), support_epigraph(b)
+        axes = "xyz"[: a.dim]
+        names = (
+            *(f"n_{axis}" for axis in axes),
+            *(f"tau_a{i}" for i in range(self.epigraph_a.size)),
+            *(f"tau_b{i}" for i in range(self.epigraph_b.size)),
+        )
+        self.variables: Variables = unbounded(names)
+
+    def rows(
+        self, v: Sym, pose_a: tuple[Sym, Sym], pose_b: tuple[Sym, Sym], margin_m: Sym, length_m: float
+    ) -> Rows:
+        d, size_a = self.a.dim, self.epigraph_a.size
+        (r_a, R_a), (r_b, R_b) = pose_a, pose_b
+        n_B, tau_a, tau_b = v[:d], v[d : d + size_a], v[d + size_a :]
+        n_world = ca.mtimes(R_b, n_B)
+        side_a = self.epigraph_a.rows(tau_a, ca.mtimes(R_a.T, n_world))
+        side_b = self.epigraph_b.rows(tau_b, -n_B)
+        gap = ca.dot(n_world, r_b - r_a) - side_a.value - side_b.value - margin_m
+        expression = ca.vertcat(
+            gap / length_m, 1 - ca.sumsqr(n_B), side_a.expression, side_b.expression
+        )
+        lower = np.concatenate([[0.0, 0.0], side_a.lower, side_b.lower])
+        upper = np.concatenate([[np.inf, np.inf], side_a.upper, side_b.upper])
+        return Rows(expression, lower, upper, 0, ca.sumsqr(tau_a) + ca.sumsqr(tau_b))
+
+    def start(self, pose_a: Pose, pose_b: Pose) -> Array:
+        n_world = best_normal(self.a, pose_a, self.b, pose_b)
+        n_A = np.einsum("...ji,...j->...i", pose_a.rotation, n_world)
+        n_B = np.einsum("...ji,...j->...i", pose_b.rotation, n_world)
+        return np.concatenate([n_B, self.epigraph_a.start(n_A), self.epigraph_b.start(-n_B)], -1)
+
+
+def best_normal(a: ConvexSet, pose_a: Pose, b: ConvexSet, pose_b: Pose) -> Array:
+    """Unit normals (n, d), A to B in the world, that separate best among a few candidates.
+
+    The candidates are the line of centres and the axes of both frames, both ways: enough for a
+    start, apart or in collision; the solver turns the normal from there.
+    """
+    between = pose_b.position - pose_a.position
+    length = np.linalg.norm(between, axis=-1, keepdims=True)
+    first = np.zeros_like(between)
+    first[..., 0] = 1.0
+    centres = np.where(length > 0.0, between / np.where(length > 0.0, length, 1.0), first)
+    axes_a, axes_b = np.swapaxes(pose_a.rotation, -1, -2), np.swapaxes(pose_b.rotation, -1, -2)
+    axes_a = np.broadcast_to(axes_a, (*between.shape[:-1], a.dim, a.dim))
+    axes_b = np.broadcast_to(axes_b, (*between.shape[:-1], a.dim, a.dim))
+    candidates = np.concatenate([centres[..., None, :], axes_a, -axes_a, axes_b, -axes_b], axis=-2)
+    in_a = np.einsum("...ji,...cj->...ci", pose_a.rotation, candidates)
+    in_b = np.einsum("...ji,...cj->...ci", pose_b.rotation, candidates)
+    gap = np.einsum("...ci,...i->...c", candidates, between)
+    gap = gap - a.support(in_a)[0] - b.support(-in_b)[0]
+    best = np.argmax(gap, axis=-1)
+    return np.asarray(np.take_along_axis(candidates, best[..., None, None], axis=-2)[..., 0, :])

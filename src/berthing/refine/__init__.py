@@ -1,0 +1,1 @@
+"""Where a solution falls short between its nodes, and what to add there."""

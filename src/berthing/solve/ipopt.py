@@ -1,0 +1,133 @@
+"""IPOPT through CasADi: options, the call, and what its answers mean."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from berthing.geometry.arrays import Array
+from berthing.scenario.scenario import Scenario
+from berthing.solve.outcome import NOT_CONVERGED, STATUS, Outcome
+from berthing.transcription.problem import Motion, Problem
+
+TOLERANCE = 1e-8
+"""Of the scaled optimality conditions: it leaves costs right to about 1e-8 of themselves."""
+
+COLD = {"mu_strategy": "adaptive"}
+"""From a guess: the barrier follows the progress made, which survives poor guesses best."""
+
+NEAR = {"mu_strategy": "monotone", "mu_init": 1e-3}
+"""From an answer on another mesh: close in the states, no multipliers."""
+
+WARM: dict[str, Any] = {
+    "warm_start_init_point": "yes",
+    "mu_init": 1e-6,
+    "warm_start_bound_push": 1e-8,
+    "warm_start_bound_frac": 1e-8,
+    "warm_start_slack_bound_push": 1e-8,
+    "warm_start_slack_bound_frac": 1e-8,
+    "warm_start_mult_bound_push": 1e-8,
+}
+"""From an answer with multipliers."""
+
+PRESETS: dict[str, dict[str, Any]] = {"cold": COLD, "near": NEAR, "warm": WARM}
+
+
+@dataclass(frozen=True)
+class Budget:
+    """What a solve may spend."""
+
+    iterations: int = 500
+    wall_time_s: float = 1e6
+
+
+@dataclass(frozen=True)
+class Solver:
+    """One problem with its solver, built once and called many times."""
+
+    problem: Problem
+    function: Any
+    build_time_s: float
+
+    @staticmethod
+    def build(problem: Problem, preset: str = "cold", budget: Budget | None = None) -> Solver:
+        """Derivatives and solver of ``problem``."""
+        budget = budget or Budget()
+        began = time.perf_counter()
+        ipopt: dict[str, Any] = {
+            "print_level": 0, "sb": "yes", "tol": TOLERANCE, "max_iter": budget.iterations,
+            # No early stop at a level that nobody asked for.
+            "acceptable_iter": 0,
+            # Bounds are kept as they are: relaxed ones would be missed by that much at the goal.
+            "bound_relax_factor": 0.0,
+            "max_wall_time": budget.wall_time_s, "linear_solver": "mumps",
+            **PRESETS[preset],
+        }  # fmt: skip
+        # Derivatives come with the problem; those of the parameters are nobody's business.
+        options: dict[str, Any] = {
+            "print_time": False, "error_on_fail": False, "calc_lam_p": False, "no_nlp_grad": True,
+        }  # fmt: skip
+        options |= {f"ipopt.{key}": value for key, value in ipopt.items()}
+        derivatives = {key: problem.nlp[key] for key in ("grad_f", "jac_g", "hess_lag")}
+        expressions = {key: problem.nlp[key] for key in "xpfg"}
+        function = ca.nlpsol("berthing", "ipopt", expressions, options | derivatives)
+        return Solver(problem, function, time.perf_counter() - began)
+
+    def solve(
+        self,
+        scenario: Scenario,
+        motion: Motion,
+        *,
+        backoff_m: float,
+        previous: Outcome | None = None,
+    ) -> Outcome:
+        """Solve from ``motion``, or from ``previous`` with its multipliers.
+
+        Raises:
+            KeyboardInterrupt: Ctrl-C during the solve, which IPOPT itself swallows.
+        """
+        problem = self.problem
+        parameters = problem.parameter_vector(scenario, backoff_m, motion.duration_s)
+        x0 = problem.start_vector(scenario, motion) if previous is None else previous.x
+        lower, upper = problem.layout.variables.bounds()
+        row_lower, row_upper = problem.layout.rows.bounds()
+        arguments = {
+            "x0": x0, "p": parameters, "lbx": lower, "ubx": upper,
+            "lbg": row_lower, "ubg": row_upper,
+        }  # fmt: skip
+        if previous is not None:
+            arguments |= {"lam_x0": previous.bound_multipliers, "lam_g0": previous.multipliers}
+        began = time.perf_counter()
+        answer = self.function(**arguments)
+        elapsed = time.perf_counter() - began
+        stats = self.function.stats()
+        if stats["return_status"] in ("NonIpopt_Exception_Thrown", "User_Requested_Stop"):
+            raise KeyboardInterrupt
+        return self._outcome(answer, parameters, motion.duration_s, stats, elapsed)
+
+    def _outcome(
+        self, answer: Any, parameters: Array, duration_s: float, stats: Any, elapsed: float
+    ) -> Outcome:
+        problem = self.problem
+        x, rows = _vector(answer["x"]), _vector(answer["g"])
+        motion = problem.motion(x, duration_s)
+        return Outcome(
+            status=STATUS.get(stats["return_status"], NOT_CONVERGED),
+            x=x,
+            multipliers=_vector(answer["lam_g"]),
+            bound_multipliers=_vector(answer["lam_x"]),
+            parameters=parameters,
+            motion=motion,
+            cost=problem.cost(motion),
+            iterations=int(stats["iter_count"]),
+            wall_time_s=elapsed,
+            worst_row=problem.layout.rows.worst(rows),
+        )
+
+
+def _vector(value: Any) -> Array:
+    return np.asarray(value, dtype=np.float64).ravel()

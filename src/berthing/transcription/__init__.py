@@ -1,0 +1,1 @@
+"""From a scenario to a nonlinear programme: nodes, differentiation, packing, scaling, rows."""

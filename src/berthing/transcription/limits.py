@@ -1,0 +1,57 @@
+"""Limits on controls and states, put on the Bernstein coefficients of each segment.
+
+A polynomial stays within the hull of its Bernstein coefficients, so the limits hold between the
+nodes too and can be proven there. Coefficients lie further out than the polynomial does, which
+costs a little where a limit is active; shorter segments shrink it.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from berthing.geometry.arrays import Array
+from berthing.transcription.elements import Index
+from berthing.transcription.lagrange import to_bernstein
+from berthing.transcription.layout import PhaseLayout, VehicleLayout
+
+
+def add_limits(layout: PhaseLayout) -> None:
+    """Append the finite limits of every vehicle; an equal pair of bounds is an equality."""
+    mesh = layout.mesh
+    for owner in layout.vehicles.values():
+        limits, model = owner.vehicle.limits, owner.vehicle.model
+        zero = np.zeros(owner.nu)
+        for k in range(mesh.segments):
+            nodes = mesh.node_set(k)
+            i, j = mesh.control_offset(k), mesh.point_offset(k)
+            _add(
+                layout, k, owner, model.control_names,
+                owner.control.indices[:, i : i + len(nodes.collocated)], nodes.control_points,
+                (limits.control_lower, limits.control_upper), (owner.scale.control, zero),
+            )  # fmt: skip
+            _add(
+                layout, k, owner, model.state_names,
+                owner.state.indices[:, j : j + len(nodes.points)], nodes.points,
+                (limits.state_lower, limits.state_upper),
+                (owner.scale.state, owner.scale.state_shift),
+            )  # fmt: skip
+
+
+def _add(
+    layout: PhaseLayout, k: int, owner: VehicleLayout, names: tuple[str, ...], columns: Index,
+    points: Array, bounds: tuple[Array, Array], scaling: tuple[Array, Array],
+) -> None:  # fmt: skip
+    bernstein = to_bernstein(points)
+    (lower, upper), (scale, shift) = bounds, scaling
+    time_s = layout.nominal_time(layout.mesh.breaks[k])
+    for c in np.flatnonzero(np.isfinite(lower) | np.isfinite(upper)):
+        label = partial(_label, owner.vehicle.name, names[c], time_s)
+        low, high = (lower[c] - shift[c]) / scale[c], (upper[c] - shift[c]) / scale[c]
+        rows = layout.rows.add(len(points), low, high, label)
+        layout.elements.add_linear(rows[:, None], columns[c][None], bernstein)
+
+
+def _label(vehicle: str, name: str, time_s: float, _: int) -> str:
+    return f"limit[{vehicle}, {name}, from t = {time_s:.1f} s]"

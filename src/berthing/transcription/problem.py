@@ -1,0 +1,204 @@
+"""The nonlinear programme of one phase: assembled here, from rows that live in their own files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from berthing.dynamics.motion import symbolic_motion
+from berthing.geometry.arrays import Array
+from berthing.geometry.pose import Pose
+from berthing.proximity.formulation import PairFormulation
+from berthing.proximity.formulations import formulate
+from berthing.scenario.pair import Pair
+from berthing.scenario.phase import Phase
+from berthing.scenario.scenario import Scenario
+from berthing.scenario.structure import Structure
+from berthing.transcription.defects import add_cost, add_defects, quadrature
+from berthing.transcription.elements import Index
+from berthing.transcription.ends import add_ends, end_parameters
+from berthing.transcription.limits import add_limits
+from berthing.transcription.mesh import Mesh
+from berthing.transcription.lagrange import interpolation_matrix
+from berthing.transcription.layout import (
+    PhaseLayout,
+    control_name,
+    horizon_name,
+    lay_out,
+    state_name,
+)
+from berthing.transcription.scaling import phase_scale
+from berthing.transcription.separation import (
+    SiteRows,
+    add_separation,
+    margin_name,
+    start_sites,
+)
+from berthing.transcription.sites import Site, site_margins, site_times
+
+DEFAULT_REGULARISER = 1e-3
+"""Weight of the multipliers' mean square against a cost of order one: it picks one multiplier
+where many will do. At 1e-3 Scenario A's cost moves by less than 1e-6 of itself."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Numbers of one phase in physical units: a guess, or what a solution says.
+
+    Attributes:
+        duration_s: of the phase.
+        states: (nx, points) by vehicle.
+        controls: (nu, controls) by vehicle.
+    """
+
+    duration_s: float
+    states: Mapping[str, Array]
+    controls: Mapping[str, Array]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A programme min f(x, p) with rows g(x, p), and the key to its vectors.
+
+    Attributes:
+        nlp: casadi expressions ``x``, ``p``, ``f``, ``g`` and the functions of their derivatives.
+        defect_rows: vehicle → rows (collocated nodes, nx) of each segment's defects.
+        separation: the sites and their rows.
+    """
+
+    scenario: Scenario
+    phase: Phase
+    mesh: Mesh
+    pairs: tuple[Pair, ...]
+    formulations: tuple[PairFormulation, ...]
+    layout: PhaseLayout
+    nlp: Mapping[str, Any]
+    defect_rows: Mapping[str, Sequence[Index]]
+    separation: SiteRows
+
+    def parameter_vector(self, scenario: Scenario, backoff_m: float, duration_s: float) -> Array:
+        """Parameters for ``scenario``, which may differ from the one built for in its numbers
+        only: ends, poses of structures, margins, horizon."""
+        phase = scenario.phase(self.phase.name)
+        values: dict[str, Any] = {horizon_name(phase.name): duration_s}
+        for vehicle in phase.vehicles:
+            for kind, end in (("start", vehicle.start), ("goal", vehicle.goal)):
+                values.update(end_parameters(f"{phase.name}/{vehicle.name}/{kind}", end))
+        for structure in scenario.structures:
+            base = symbolic_motion(structure.motion).base(structure.motion)
+            values[f"{phase.name}/{structure.name}/position"] = base.position
+            values[f"{phase.name}/{structure.name}/rotation"] = base.rotation
+        sites = list(self.separation.sites)
+        times = site_times(sites, self.mesh, self.layout.t0_s, duration_s)
+        margins = [
+            (0.0 if m is None else m) + backoff_m
+            for m in site_margins(scenario, phase, sites, times)
+        ]
+        values[margin_name(phase.name)] = np.array(margins or [0.0])
+        return self.layout.parameters.join(values)
+
+    def start_vector(self, scenario: Scenario, motion: Motion) -> Array:
+        """Variables at ``motion``, the separation's own started from its poses."""
+        name = self.phase.name
+        values: dict[str, Any] = {}
+        if self.phase.horizon.is_free:
+            values[horizon_name(name)] = motion.duration_s
+        for vehicle in self.phase.vehicles:
+            values[state_name(name, vehicle.name)] = motion.states[vehicle.name]
+            values[control_name(name, vehicle.name)] = motion.controls[vehicle.name]
+        poses_a, poses_b = self._site_poses(scenario, motion)
+        starts = start_sites(self.formulations, self.separation.sites, poses_a, poses_b)
+        values.update(zip(self.separation.blocks, starts, strict=True))
+        for (vehicle, k, s), block in self.separation.lifted.items():
+            x = interpolate(self.mesh, motion.states[vehicle], k, s)
+            values[block] = x[self.layout.vehicles[vehicle].pose_columns()]
+        return self.layout.variables.join(values)
+
+    def motion(self, x: Array, duration_s: float) -> Motion:
+        """The phase's numbers in a vector of variables; ``duration_s`` where it is fixed."""
+        name, values = self.phase.name, self.layout.variables.split(x)
+        if self.phase.horizon.is_free:
+            duration_s = float(values[horizon_name(name)][0, 0])
+        vehicles = [v.name for v in self.phase.vehicles]
+        return Motion(
+            duration_s,
+            {v: values[state_name(name, v)] for v in vehicles},
+            {v: values[control_name(name, v)] for v in vehicles},
+        )
+
+    def cost(self, motion: Motion) -> float:
+        """The phase's cost of ``motion`` in physical units, regularisers excluded."""
+        weights, cost = quadrature(self.layout), self.phase.cost
+        power = sum(np.sum(u**2, axis=0) for u in motion.controls.values())
+        return motion.duration_s * (cost.control_energy * float(weights @ power) + cost.time)
+
+    def _site_poses(self, scenario: Scenario, motion: Motion) -> tuple[list[Pose], list[Pose]]:
+        sites = list(self.separation.sites)
+        times = site_times(sites, self.mesh, self.layout.t0_s, motion.duration_s)
+        sides: tuple[list[Pose], list[Pose]] = ([], [])
+        for site, t in zip(sites, times, strict=True):
+            pair = self.pairs[site.pair]
+            for out, owner, part in (
+                (sides[0], pair.owner_a, pair.part_a),
+                (sides[1], pair.owner_b, pair.part_b),
+            ):
+                if isinstance(owner, Structure):
+                    structure = scenario.structure(owner.name)
+                    pose = structure.motion.pose(np.array([t]))[0]
+                else:
+                    x = interpolate(self.mesh, motion.states[owner.name], site.segment, site.s)
+                    pose = owner.model.pose(x)
+                out.append(pose.compose(part.placement))
+        return sides
+
+
+def interpolate(mesh: Mesh, states: Array, k: int, s: float) -> Array:
+    """State (nx,) at the local coordinate s of segment k from the states (nx, points)."""
+    nodes, offset = mesh.node_set(k), mesh.point_offset(k)
+    weights = interpolation_matrix(nodes.points, np.array([s]))[0]
+    return np.asarray(states[:, offset : offset + len(nodes.points)] @ weights)
+
+
+def build(
+    scenario: Scenario,
+    phase: Phase,
+    mesh: Mesh,
+    sites: Sequence[Site],
+    formulation: str,
+    *,
+    regulariser: float = DEFAULT_REGULARISER,
+    t0_s: float = 0.0,
+) -> Problem:
+    """Assemble the programme of ``phase`` with separation at ``sites``.
+
+    Raises:
+        InputError: no such formulation.
+        CapabilityError: the formulation cannot take a shape of the scenario.
+    """
+    pairs = scenario.pairs(phase)
+    forms = {
+        (type_key(p.part_a), type_key(p.part_b)): formulate(formulation, p.part_a.shape, p.part_b.shape)
+        for p in pairs
+    }
+    formulations = tuple(forms[type_key(p.part_a), type_key(p.part_b)] for p in pairs)
+    scale = phase_scale(scenario, phase)
+    layout = lay_out(phase, scenario.structures, mesh, scale, t0_s)
+    defect_rows = add_defects(layout)
+    add_cost(layout, scale.cost)
+    add_ends(layout)
+    add_limits(layout)
+    separation = add_separation(layout, pairs, formulations, sites, regulariser)
+    nlp = layout.elements.programme(
+        layout.variables.size, layout.parameters.size, layout.rows.size
+    )
+    return Problem(
+        scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation
+    )
+
+
+def type_key(part: Any) -> int:
+    """Parts share a formulation object where they are the same shape object."""
+    return id(part.shape)

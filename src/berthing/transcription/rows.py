@@ -1,0 +1,74 @@
+"""Rows of the programme, each with a name, so that a failure can say which one it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from berthing.geometry.arrays import Array
+from berthing.transcription.elements import Index
+
+
+@dataclass(frozen=True)
+class RowBlock:
+    """Consecutive rows that share a label.
+
+    Attributes:
+        label: (index within the block) → name, made only when asked for.
+        unit_scale: multiply a row's violation by this to get the unit named.
+    """
+
+    offset: int
+    size: int
+    label: Callable[[int], str]
+    unit_scale: float
+    unit: str
+
+
+class RowBook:
+    """The rows in order."""
+
+    def __init__(self) -> None:
+        self._lower: list[Array] = []
+        self._upper: list[Array] = []
+        self.blocks: list[RowBlock] = []
+        self.size = 0
+
+    def add(
+        self,
+        count: int,
+        lower: npt.ArrayLike,
+        upper: npt.ArrayLike,
+        label: Callable[[int], str],
+        *,
+        unit_scale: float = 1.0,
+        unit: str = "",
+    ) -> Index:
+        """Append ``count`` rows between ``lower`` and ``upper``; returns their indices."""
+        self._lower.append(np.array(np.broadcast_to(np.asarray(lower, np.float64), count)))
+        self._upper.append(np.array(np.broadcast_to(np.asarray(upper, np.float64), count)))
+        block = RowBlock(self.size, count, label, unit_scale, unit)
+        self.blocks.append(block)
+        self.size += count
+        return np.arange(block.offset, self.size)
+
+    def bounds(self) -> tuple[Array, Array]:
+        """Lower and upper bounds (size,)."""
+        if not self._lower:
+            return np.empty(0), np.empty(0)
+        return np.concatenate(self._lower), np.concatenate(self._upper)
+
+    def worst(self, values: Array) -> str:
+        """Name of the row that ``values`` (size,) violates most, and by how much."""
+        lower, upper = self.bounds()
+        violation = np.maximum(np.maximum(lower - values, values - upper), 0.0)
+        i = int(np.argmax(violation))
+        for block in self.blocks:
+            if block.offset <= i < block.offset + block.size:
+                amount = violation[i] * block.unit_scale
+                name = block.label(i - block.offset)
+                return f"{name} short by {amount:.3g} {block.unit}".rstrip()
+        return "no rows"
