@@ -1,0 +1,155 @@
+"""The command line. Heavy modules are imported by the commands, so that help comes at once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from berthing._version import __version__
+from berthing.commands.guard import guarded
+
+app = typer.Typer(
+    name="berthing",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    rich_markup_mode="markdown",
+)
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON on standard output, only that.")]
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"berthing {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def berthing(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version."
+        ),
+    ] = False,
+) -> None:
+    """Plan collision-free, optimal motion for rigid bodies in tight spaces, with a proof."""
+
+
+@app.command("plan")
+def plan_command(
+    scenario: Annotated[str, typer.Argument(help="A case that ships, or a YAML or JSON file.")],
+    formulation: Annotated[
+        str | None, typer.Option(help="How separation is written, e.g. plane.")
+    ] = None,
+    scheme: Annotated[str | None, typer.Option(help="How time is discretised, e.g. lgr.")] = None,
+    nodes: Annotated[int | None, typer.Option(help="Collocation nodes to begin with.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="The plan folder; plans/<scenario name> if not given.")
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace an older plan folder.")] = False,
+    time_limit: Annotated[
+        float | None, typer.Option(metavar="S", help="Wall time allowed, in seconds.")
+    ] = None,
+    seed: Annotated[int | None, typer.Option(help="Seed of the guesses.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Plan a scenario, prove the plan, and write a plan folder.
+
+    The options overrule the scenario's own `solver:` block.
+
+    **Exit code:** 0 certified · 2 bad usage or input · 3 no plan found ·
+    4 a plan was found but is not certified · 130 interrupted
+
+    **Examples**
+
+    - `berthing plan scenario-a`
+    - `berthing plan truss.yaml --out plans/truss --seed 3 --force`
+    - `berthing plan scenario-b --json | jq .verification`
+    """
+    given = {
+        "formulation": formulation,
+        "scheme": scheme,
+        "nodes": nodes,
+        "time_limit_s": time_limit,
+        "seed": seed,
+    }
+
+    def work() -> int:
+        from berthing.commands.planning import run
+
+        return run(scenario, given, out, force=force, as_json=as_json)
+
+    raise typer.Exit(guarded(work))
+
+
+@app.command("verify")
+def verify_command(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="A plan folder.")],
+    as_json: AsJson = False,
+    trust: Annotated[
+        bool,
+        typer.Option("--trust", help="Run code of the user's own that the scenario names."),
+    ] = False,
+) -> None:
+    """Check a plan folder again, from its files alone.
+
+    Nothing of the solver is used: the check has its own equations of motion, and exact shapes.
+
+    **Exit code:** 0 certified · 2 bad usage or input · 4 not certified
+
+    **Examples**
+
+    - `berthing verify plans/scenario-a`
+    - `berthing verify plans/scenario-a --json`
+    """
+
+    def work() -> int:
+        from berthing.commands.verifying import run
+
+        return run(folder, as_json=as_json)
+
+    raise typer.Exit(guarded(work))
+
+
+@app.command("scenarios")
+def scenarios_command(as_json: AsJson = False) -> None:
+    """List the cases that ship; any of these names will do as SCENARIO.
+
+    **Examples**
+
+    - `berthing scenarios`
+    - `berthing plan scenario-b-tight`
+    """
+
+    def work() -> int:
+        from berthing.commands.listing import print_scenarios
+
+        return print_scenarios(as_json=as_json)
+
+    raise typer.Exit(guarded(work))
+
+
+@app.command("schema")
+def schema_command() -> None:
+    """Print the JSON Schema of the scenario file, for editors and checkers.
+
+    **Examples**
+
+    - `berthing schema > scenario.schema.json`
+    """
+
+    def work() -> int:
+        from berthing.commands.listing import print_schema
+
+        return print_schema()
+
+    raise typer.Exit(guarded(work))
+
+
+def main() -> None:
+    """Entry point of the ``berthing`` script."""
+    app()

@@ -1,0 +1,1 @@
+"""Tables, figures and the plan folder: they show what was found and compute nothing new."""

@@ -1,0 +1,119 @@
+"""The verdict as rows of a table, the same on the terminal and on the page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from berthing.result import CERTIFIED, UNDECIDED, Attempt, Result
+from berthing.scenario.scenario import Scenario
+from berthing.trajectory import Plan
+from berthing.verify.verdict import CERTIFIED as PAIR_CERTIFIED
+from berthing.verify.verdict import EXEMPT
+from berthing.verify.verification import Verification
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the table; ``good`` is None where there is nothing to judge."""
+
+    label: str
+    value: str
+    good: bool | None = None
+
+
+WORDS: Mapping[str, str] = {CERTIFIED: "certified", UNDECIDED: "undecided"}
+
+
+def headline(outcome: str) -> Row:
+    """The verdict in a word."""
+    return Row("verdict", WORDS.get(outcome, "NOT certified"), outcome == CERTIFIED)
+
+
+def verification_rows(verification: Verification) -> list[Row]:
+    """What was checked, apart from the solver."""
+    v = verification
+    clear = all(pair.verdict in (PAIR_CERTIFIED, EXEMPT) for pair in v.pairs)
+    off = f"{_metres(v.replay_position_error_m)}, {v.replay_attitude_error_rad:.2g} rad"
+    return [
+        Row("clearance at every instant", _bound(v.clearance_lower_bound_m), clear),
+        Row("clearance required", _metres(v.required_clearance_m)),
+        Row("closest", _closest(v)),
+        Row("limits between nodes", "met" if v.limits_ok else "EXCEEDED", v.limits_ok),
+        Row("start and goal", _missed(v)),
+        Row("replay of the controls", f"off by {off} at most"),
+        Row("Hamiltonian drift", _share(v.hamiltonian_relative_drift)),
+        Row("equations of motion", v.model_check.replace("_", " ")),
+    ]
+
+
+def reason_rows(verification: Verification) -> list[Row]:
+    """Why the plan is not certified; none where it is."""
+    return [Row("because", reason, False) for reason in verification.reasons]
+
+
+def plan_rows(plan: Plan) -> list[Row]:
+    """What was found, and at what effort."""
+    total = plan.wall_time_s.get("total")
+    effort = f"{plan.iterations} iterations" + ("" if total is None else f", {total:.1f} s")
+    return [
+        Row("cost", f"{plan.cost:.6g}"),
+        Row("method", f"{plan.formulation}, {plan.scheme}, {plan.node_count} nodes"),
+        Row("effort", effort),
+        Row("seed", str(plan.seed)),
+    ]
+
+
+def result_rows(scenario: Scenario, result: Result) -> list[Row]:
+    """The whole table of a result: of the plan, or of what was tried in vain."""
+    rows = [Row("scenario", scenario.name)]
+    if result.plan is None or result.verification is None:
+        rows.append(Row("verdict", f"no plan found: {result.outcome.replace('_', ' ')}", False))
+        rows += [Row("tried", attempt_line(attempt)) for attempt in result.attempts]
+    else:
+        rows.append(headline(result.outcome))
+        rows += [*verification_rows(result.verification), *plan_rows(result.plan)]
+        rows += reason_rows(result.verification)
+    return [*rows, Row("try next", result.advice)] if result.advice else rows
+
+
+def attempt_line(attempt: Attempt) -> str:
+    """An attempt in one line.
+
+    >>> attempt_line(Attempt("straight", "locally_infeasible", 40, 310, 2.4))
+    'straight: locally infeasible after 310 iterations, 2.4 s'
+    """
+    effort = f"after {attempt.iterations} iterations, {attempt.wall_time_s:.1f} s"
+    line = f"{attempt.guess}: {attempt.outcome.replace('_', ' ')} {effort}"
+    return f"{line}; {attempt.note}" if attempt.note else line
+
+
+def _bound(value: float) -> str:
+    if value == math.inf:
+        return "nothing to keep clear of"
+    return "nothing proven" if value == -math.inf else f"at least {value:.5f} m"
+
+
+def _closest(v: Verification) -> str:
+    if v.closest_pair is None or v.closest_time_s is None or v.closest_distance_m is None:
+        return "–"
+    pair = v.closest_pair.replace("|", " – ")
+    return f"{pair}, {v.closest_distance_m:.5f} m at {v.closest_time_s:.2f} s"
+
+
+def _missed(v: Verification) -> str:
+    if not v.ends:
+        return "not checked"
+    position = max(end.position_m for end in v.ends)
+    attitude = max(end.attitude_rad for end in v.ends)
+    return f"missed by {_metres(position)}, {attitude:.2g} rad at most"
+
+
+def _metres(value: float) -> str:
+    """In metres, or short where that would be zeros."""
+    return f"{value:.4f} m" if abs(value) >= 1e-3 or value == 0.0 else f"{value:.2g} m"
+
+
+def _share(value: float | None) -> str:
+    return "unknown" if value is None else f"{value:.2g} of its mean"
