@@ -44,10 +44,11 @@ def candidates(scenario: Scenario, phase: Phase, seed: int) -> list[Guess]:
     out = [_guess("straight", phase, ends, {})]
     if not scenario.structures and len(phase.vehicles) < 2:
         return out
-    out += _around(scenario, phase, ends, duration)
     out += _turned(phase, ends)
-    out += _random(scenario, phase, ends, duration, np.random.default_rng(seed))
-    return out
+    around = _around(scenario, phase, ends, duration)
+    drawn = _random(scenario, phase, ends, duration, np.random.default_rng(seed))
+    # The nearest thing's sides first, then one drawn by the seed, then the rest.
+    return [*out, *around[:4], *drawn[:1], *around[4:], *drawn[1:]]
 
 
 def _ends(scenario: Scenario, vehicle: Vehicle, duration_s: float) -> _Ends:

@@ -71,8 +71,11 @@ class PairFormulation(ABC):
         """
 
     @abstractmethod
-    def start(self, pose_a: Pose, pose_b: Pose) -> Array:
-        """Values (n, k) of the variables for n pairs of poses, whether apart or not."""
+    def start(self, pose_a: Pose, pose_b: Pose, normal: Array) -> Array:
+        """Values (n, k) of the variables for n pairs of poses, whether apart or not.
+
+        ``normal`` (n, d) are unit vectors of the world that part A from B, or part them best.
+        """
 
 
 def unbounded(names: tuple[str, ...]) -> Variables:

@@ -49,31 +49,6 @@ class PlaneFormulation(PairFormulation):
         upper = np.concatenate([[np.inf, np.inf], side_a.upper, side_b.upper])
         return Rows(expression, lower, upper, 0, ca.sumsqr(tau_a) + ca.sumsqr(tau_b))
 
-    def start(self, pose_a: Pose, pose_b: Pose) -> Array:
-        n_world = best_normal(self.a, pose_a, self.b, pose_b)
-        n_A = np.einsum("...ji,...j->...i", pose_a.rotation, n_world)
-        n_B = np.einsum("...ji,...j->...i", pose_b.rotation, n_world)
+    def start(self, pose_a: Pose, pose_b: Pose, normal: Array) -> Array:
+        n_A, n_B = pose_a.unrotate(normal), pose_b.unrotate(normal)
         return np.concatenate([n_B, self.epigraph_a.start(n_A), self.epigraph_b.start(-n_B)], -1)
-
-
-def best_normal(a: ConvexSet, pose_a: Pose, b: ConvexSet, pose_b: Pose) -> Array:
-    """Unit normals (n, d), A to B in the world, that separate best among a few candidates.
-
-    The candidates are the line of centres and the axes of both frames, both ways: enough for a
-    start, apart or in collision; the solver turns the normal from there.
-    """
-    between = pose_b.position - pose_a.position
-    length = np.linalg.norm(between, axis=-1, keepdims=True)
-    first = np.zeros_like(between)
-    first[..., 0] = 1.0
-    centres = np.where(length > 0.0, between / np.where(length > 0.0, length, 1.0), first)
-    axes_a, axes_b = np.swapaxes(pose_a.rotation, -1, -2), np.swapaxes(pose_b.rotation, -1, -2)
-    axes_a = np.broadcast_to(axes_a, (*between.shape[:-1], a.dim, a.dim))
-    axes_b = np.broadcast_to(axes_b, (*between.shape[:-1], a.dim, a.dim))
-    candidates = np.concatenate([centres[..., None, :], axes_a, -axes_a, axes_b, -axes_b], axis=-2)
-    in_a = np.einsum("...ji,...cj->...ci", pose_a.rotation, candidates)
-    in_b = np.einsum("...ji,...cj->...ci", pose_b.rotation, candidates)
-    gap = np.einsum("...ci,...i->...c", candidates, between)
-    gap = gap - a.support(in_a)[0] - b.support(-in_b)[0]
-    best = np.argmax(gap, axis=-1)
-    return np.asarray(np.take_along_axis(candidates, best[..., None, None], axis=-2)[..., 0, :])

@@ -13,6 +13,7 @@ from berthing.geometry.arrays import Array
 from berthing.scenario.scenario import Scenario
 from berthing.solve.outcome import NOT_CONVERGED, STATUS, Outcome
 from berthing.transcription.problem import Motion, Problem
+from berthing.transcription.separation import Normals
 
 TOLERANCE = 1e-8
 """Of the scaled optimality conditions: it leaves costs right to about 1e-8 of themselves."""
@@ -43,6 +44,23 @@ class Budget:
 
     iterations: int = 500
     wall_time_s: float = 1e6
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a solve begins.
+
+    Attributes:
+        motion: states, controls, duration.
+        normals: how to part the pairs at its poses.
+    """
+
+    motion: Motion
+    normals: Normals
+
+    def vector(self, problem: Problem, scenario: Scenario) -> Array:
+        """The variables of ``problem`` there."""
+        return problem.start_vector(scenario, self.motion, self.normals)
 
 
 @dataclass(frozen=True)
@@ -80,19 +98,20 @@ class Solver:
     def solve(
         self,
         scenario: Scenario,
-        motion: Motion,
+        start: Start,
         *,
         backoff_m: float,
         previous: Outcome | None = None,
     ) -> Outcome:
-        """Solve from ``motion``, or from ``previous`` with its multipliers.
+        """Solve from ``start``, or from ``previous`` with its multipliers.
 
         Raises:
             KeyboardInterrupt: Ctrl-C during the solve, which IPOPT itself swallows.
         """
         problem = self.problem
+        motion = start.motion
         parameters = problem.parameter_vector(scenario, backoff_m, motion.duration_s)
-        x0 = problem.start_vector(scenario, motion) if previous is None else previous.x
+        x0 = start.vector(problem, scenario) if previous is None else previous.x
         lower, upper = problem.layout.variables.bounds()
         row_lower, row_upper = problem.layout.rows.bounds()
         arguments = {

@@ -15,9 +15,8 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 
 from berthing.scenario.scenario import Scenario
-from berthing.solve.ipopt import Solver
+from berthing.solve.ipopt import Solver, Start
 from berthing.solve.outcome import Outcome
-from berthing.transcription.problem import Motion
 
 
 def cores() -> int:
@@ -26,26 +25,26 @@ def cores() -> int:
 
 
 def solve_each(
-    solver: Solver, scenario: Scenario, motions: Sequence[Motion], backoff_m: float
+    solver: Solver, scenario: Scenario, starts: Sequence[Start], backoff_m: float
 ) -> Iterator[tuple[int, Outcome]]:
-    """Solve from every motion, in order as cores come free; yields (index, outcome) as they end.
+    """Solve from every start, in order as cores come free; yields (index, outcome) as they end.
 
     A child that dies without an answer is left out. Closing the iterator kills what still runs.
     """
-    if cores() < 2 or len(motions) < 2 or not hasattr(os, "fork"):
-        for i, motion in enumerate(motions):
-            yield i, solver.solve(scenario, motion, backoff_m=backoff_m)
+    if cores() < 2 or len(starts) < 2 or not hasattr(os, "fork"):
+        for i, start in enumerate(starts):
+            yield i, solver.solve(scenario, start, backoff_m=backoff_m)
         return
     context = multiprocessing.get_context("fork")
     running: dict[Connection, tuple[int, BaseProcess]] = {}
-    queue = list(range(len(motions)))
+    queue = list(range(len(starts)))
     try:
         while queue or running:
             while queue and len(running) < cores():
                 i = queue.pop(0)
                 receiver, sender = context.Pipe(duplex=False)
                 child = context.Process(
-                    target=_child, args=(sender, solver, scenario, motions[i], backoff_m)
+                    target=_child, args=(sender, solver, scenario, starts[i], backoff_m)
                 )
                 child.start()
                 sender.close()
@@ -75,9 +74,9 @@ def _received(receiver: Connection) -> Outcome | None:
 
 
 def _child(
-    sender: Connection, solver: Solver, scenario: Scenario, motion: Motion, backoff_m: float
+    sender: Connection, solver: Solver, scenario: Scenario, start: Start, backoff_m: float
 ) -> None:
     # Ctrl-C reaches the whole group; the parent alone decides what becomes of it.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    sender.send(solver.solve(scenario, motion, backoff_m=backoff_m))
+    sender.send(solver.solve(scenario, start, backoff_m=backoff_m))
     sender.close()

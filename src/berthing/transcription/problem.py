@@ -32,6 +32,7 @@ from berthing.transcription.layout import (
 )
 from berthing.transcription.scaling import phase_scale
 from berthing.transcription.separation import (
+    Normals,
     SiteRows,
     add_separation,
     margin_name,
@@ -100,7 +101,7 @@ class Problem:
         values[margin_name(phase.name)] = np.array(margins or [0.0])
         return self.layout.parameters.join(values)
 
-    def start_vector(self, scenario: Scenario, motion: Motion) -> Array:
+    def start_vector(self, scenario: Scenario, motion: Motion, normals: Normals) -> Array:
         """Variables at ``motion``, the separation's own started from its poses."""
         name = self.phase.name
         values: dict[str, Any] = {}
@@ -110,7 +111,8 @@ class Problem:
             values[state_name(name, vehicle.name)] = motion.states[vehicle.name]
             values[control_name(name, vehicle.name)] = motion.controls[vehicle.name]
         poses_a, poses_b = self._site_poses(scenario, motion)
-        starts = start_sites(self.formulations, self.separation.sites, poses_a, poses_b)
+        sites = self.separation.sites
+        starts = start_sites(self.formulations, sites, poses_a, poses_b, normals)
         values.update(zip(self.separation.blocks, starts, strict=True))
         for (vehicle, k, s), block in self.separation.lifted.items():
             x = interpolate(self.mesh, motion.states[vehicle], k, s)

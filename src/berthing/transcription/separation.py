@@ -7,7 +7,7 @@ point, where substituting would couple every point of the segment with every oth
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -27,6 +27,9 @@ from berthing.transcription.layout import PhaseLayout
 from berthing.transcription.packing import Block
 from berthing.transcription.sites import Site
 
+
+Normals = Callable[[int, Pose, Pose], Array]
+"""(pair, poses of its parts) → unit normals (n, d), world, from A to B, that part them best."""
 
 
 @dataclass(frozen=True)
@@ -186,6 +189,7 @@ def start_sites(
     sites: Sequence[Site],
     poses_a: Sequence[Pose],
     poses_b: Sequence[Pose],
+    normals: Normals,
 ) -> list[Array]:
     """Starting values of each site's variables from the poses of its two parts."""
     values: list[Array] = [np.empty(0)] * len(sites)
@@ -193,7 +197,8 @@ def start_sites(
         here = [i for i, site in enumerate(sites) if site.pair == p]
         if not here:
             continue
-        batch = form.start(_stack([poses_a[i] for i in here]), _stack([poses_b[i] for i in here]))
+        a, b = _stack([poses_a[i] for i in here]), _stack([poses_b[i] for i in here])
+        batch = form.start(a, b, normals(p, a, b))
         for i, value in zip(here, batch, strict=True):
             values[i] = value
     return values

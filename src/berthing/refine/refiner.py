@@ -1,0 +1,189 @@
+"""From a coarse answer to a certified plan: rows where it dips, segments where it is not resolved.
+
+The fine problem has separation rows only where things are near, and is solved from the coarse
+answer with a small barrier, so that it stays in the same passage. Each answer is sampled densely;
+dips get rows until none is left, and then the certificate decides.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from berthing.guess.normals import exact_normals
+from berthing.guess.path import resample
+from berthing.refine.place import dip_sites, near_sites, sites_around
+from berthing.refine.remesh import split_unresolved
+from berthing.refine.sampling import SampledClearance, sample_clearance, sample_times
+from berthing.result import Attempt
+from berthing.scenario.phase import Phase
+from berthing.scenario.scenario import Scenario
+from berthing.solve.ipopt import Budget, Solver, Start
+from berthing.solve.outcome import Outcome
+from berthing.trajectory import Plan
+from berthing.transcription.extract import nodes, trajectories
+from berthing.transcription.mesh import Mesh
+from berthing.transcription.problem import Motion, Problem, build
+from berthing.transcription.sites import Site
+from berthing.verify.verdict import UNDECIDED, VIOLATED
+from berthing.verify.verification import Verification, verify
+
+BACKOFF_M = 1e-3
+"""Added to every margin: a plan exactly at its margin cannot be proven to keep it. On Scenario A
+a millimetre costs 0.03 to 0.05 %."""
+
+CLEAR_M = 5e-5
+"""Samples must clear the margin by this before the certificate is asked."""
+
+NEAR_M = 0.2
+"""Rows start where the coarse answer comes within this of its margin."""
+
+LOOK_M = 2.0
+"""Distances are exact up to this beyond the margin; further out a lower bound will do."""
+
+SAMPLES = 64
+"""To a segment. Dips shallower than CLEAR_M may hide between samples; the certificate finds them."""
+
+SPACING, REACH, SHRINK = 0.25, 1.3, 0.6
+"""Sites around a dip: their spacing and reach in units of the mean distance of two nodes, and the
+factor by which the spacing shrinks from round to round."""
+
+ROUNDS = 14
+ITERATIONS = 250
+
+
+@dataclass
+class Refinement:
+    """What came of refining one candidate."""
+
+    plan: Plan | None = None
+    verification: Verification | None = None
+    outcome: Outcome | None = None
+    attempts: list[Attempt] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Refiner:
+    """Refines candidates of one phase.
+
+    Attributes:
+        mesh: to begin with.
+        report: is told (detail, iterations of the round, best sampled clearance).
+        deadline: on the monotonic clock.
+    """
+
+    scenario: Scenario
+    phase: Phase
+    mesh: Mesh
+    formulation: str
+    seed: int
+    report: Callable[[str, int, float | None], None]
+    deadline: float
+
+    def run(self, name: str, coarse: Problem, motion: Motion) -> Refinement:
+        """Refine ``motion``, the answer of ``coarse``, until certified or out of rounds."""
+        result, mesh = Refinement(), self.mesh
+        sampled = self._sample(coarse, motion)
+        sites = near_sites(mesh, len(coarse.pairs), sampled, NEAR_M)
+        motion = resample(motion, self.phase, coarse.mesh, mesh)
+        spacing = SPACING * motion.duration_s / mesh.control_count
+        reach = REACH * motion.duration_s / mesh.control_count
+        sites = dip_sites(mesh, sites, sampled, 0.0, spacing, reach)
+        for round_ in range(ROUNDS):
+            problem = build(self.scenario, self.phase, mesh, sites, self.formulation)
+            outcome = self._solve(problem, motion)
+            result.attempts.append(_attempt(f"{name}, round {round_ + 1}", problem, outcome))
+            if not outcome.solved:
+                result.outcome = result.outcome or outcome
+                break
+            result.outcome, motion = outcome, outcome.motion
+            sampled = self._sample(problem, motion)
+            clearance = _least(sampled)
+            self.report(f"{name}, round {round_ + 1}", outcome.iterations, clearance)
+            spacing *= SHRINK
+            if sampled.worst_m > -CLEAR_M:
+                before = sites
+                allowed = -0.5 * BACKOFF_M
+                sites = dip_sites(mesh, sites, sampled, allowed, spacing, reach)
+                if len(sites) > len(before):
+                    continue
+            self._verify(result, problem, outcome)
+            if result.verification is not None and result.verification.certified:
+                break
+            mesh, motion, sites = self._after(result, problem, motion, spacing, reach)
+        return result
+
+    def _solve(self, problem: Problem, motion: Motion) -> Outcome:
+        left = max(self.deadline - time.monotonic(), 0.1)
+        solver = Solver.build(problem, "near", Budget(ITERATIONS, left))
+        start = Start(motion, exact_normals(problem.pairs))
+        return solver.solve(self.scenario, start, backoff_m=BACKOFF_M)
+
+    def _sample(self, problem: Problem, motion: Motion) -> SampledClearance:
+        trajectory = trajectories(problem, motion)
+        times = sample_times(trajectory, SAMPLES)
+        margin = self.scenario.margins.default_m
+        return sample_clearance(self.scenario, problem.pairs, trajectory, times, margin + LOOK_M)
+
+    def _verify(self, result: Refinement, problem: Problem, outcome: Outcome) -> None:
+        plan = make_plan(self.scenario, problem, outcome, self.formulation, self.seed)
+        result.plan, result.verification = plan, verify(self.scenario, plan)
+
+    def _after(
+        self, result: Refinement, problem: Problem, motion: Motion, spacing: float, reach: float
+    ) -> tuple[Mesh, Motion, list[Site]]:
+        """Mesh, motion and sites of the next round, after what the verification found."""
+        assert result.plan is not None and result.verification is not None
+        mesh, sites = problem.mesh, list(problem.separation.sites)
+        index = {pair.name: i for i, pair in enumerate(problem.pairs)}
+        dips = [
+            (index[verdict.pair], t)
+            for verdict in result.verification.pairs
+            if verdict.verdict in (VIOLATED, UNDECIDED)
+            for t in (*verdict.violations_s, verdict.time_s)
+        ]
+        if dips:
+            span = problem.layout.t0_s, problem.layout.t0_s + motion.duration_s
+            return mesh, motion, sites_around(mesh, sites, dips, span, spacing, reach)
+        finer = split_unresolved(mesh, self.phase, result.plan.phases[0])
+        moved = [
+            Site(*finer.locate(mesh.fraction(site.segment, site.s)), site.pair) for site in sites
+        ]
+        return finer, resample(motion, self.phase, mesh, finer), sorted(moved)
+
+
+def make_plan(
+    scenario: Scenario, problem: Problem, outcome: Outcome, formulation: str, seed: int
+) -> Plan:
+    """The plan of one solve."""
+    return Plan(
+        scenario_name=scenario.name,
+        phases=(trajectories(problem, outcome.motion),),
+        nodes=nodes(problem, outcome.motion, outcome.multipliers),
+        formulation=formulation,
+        scheme=problem.mesh.scheme,
+        cost=outcome.cost,
+        iterations=outcome.iterations,
+        seed=seed,
+        backoff_m=BACKOFF_M,
+    )
+
+
+def _least(sampled: SampledClearance) -> float | None:
+    real = np.where(np.isnan(sampled.margins_m), np.inf, sampled.distances_m)
+    return float(np.min(real)) if real.size else None
+
+
+def _attempt(name: str, problem: Problem, outcome: Outcome) -> Attempt:
+    return Attempt(
+        guess=name,
+        outcome=outcome.status,
+        nodes=problem.mesh.control_count,
+        iterations=outcome.iterations,
+        wall_time_s=outcome.wall_time_s,
+        cost=outcome.cost if outcome.solved else None,
+        note="" if outcome.solved else outcome.worst_row,
+    )
