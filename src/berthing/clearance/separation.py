@@ -25,8 +25,9 @@ GJK_TOLERANCE = 1e-10
 MAX_ITERATIONS = 1000
 # For overlapping sets. Where the first fails, the next are tried.
 EPA_TOLERANCES = (1e-8, 1e-7, 1e-6)
-# coal's tolerances and epsilons suit no size in particular. With sets of about this size together
-# it fails on no overlapping pair in 1e5; at 3 it fails, or errs in depth, on several in 1000.
+# coal's tolerances and epsilons suit some sizes better than others. With sets enlarged to this
+# size together, 8 of 50,000 overlapping pairs of all shapes needed a second answer and no depth
+# was wrong; with a size of 4, 290 did, and 18 depths were wrong without notice.
 COAL_SIZE = 4096.0
 # An answer whose plane proves less than its distance by more than this fraction of the sizes of
 # the sets is not believed. Sound answers stay within 3e-7.

@@ -10,7 +10,6 @@ from collections.abc import Callable
 from functools import cache
 
 import numpy as np
-from scipy.optimize import minimize
 
 from berthing.geometry.arrays import Array
 from berthing.geometry.capability import HasHalfspaces
@@ -21,8 +20,15 @@ SAMPLES = {2: 720, 3: 2000}
 SPACING_RAD = {2: 2.0 * np.pi / SAMPLES[2], 3: np.sqrt(4.0 * np.pi / SAMPLES[3])}
 # Best samples refined; overlapping sets have several local maxima, most often in ± pairs.
 STARTS = 6
+# Directions tried about each of them, at the whole and at half the step.
+RING = 12
+SHRINK = 0.6
 # Of the direction in rad; the bound is then off by 1e-10 of the size at a kink, far less elsewhere.
 DIRECTION_TOLERANCE_RAD = 1e-10
+# Gains below this fraction of the bound's size are rounding, and do not keep a step from shrinking.
+GAIN_TOLERANCE = 1e-15
+MAX_ROUNDS = 300
+GOLDEN_ANGLE_RAD = np.pi * (3.0 - np.sqrt(5.0))
 
 
 def best_normal(a: ConvexSet, b: ConvexSet, rotation: Array, position: Array) -> Array:
@@ -44,14 +50,9 @@ def best_normal(a: ConvexSet, b: ConvexSet, rotation: Array, position: Array) ->
         [sphere_samples(SAMPLES[a.dim], a.dim), _candidates(a, b, rotation, position)]
     )
     values = bound(tried)
-    order = np.argsort(-values)[:STARTS]
-    best, best_value = tried[order[0]], values[order[0]]
-    for start in tried[order]:
-        refined = _refined(bound, start, SPACING_RAD[a.dim])
-        value = bound(refined)
-        if value > best_value:
-            best, best_value = refined, value
-    return np.asarray(best)
+    starts = tried[np.argsort(-values)[:STARTS]]
+    found = np.concatenate([starts, _refined(bound, starts, SPACING_RAD[a.dim])])
+    return np.asarray(found[np.argmax(bound(found))])
 
 
 def _candidates(a: ConvexSet, b: ConvexSet, rotation: Array, position: Array) -> Array:
@@ -67,20 +68,38 @@ def _candidates(a: ConvexSet, b: ConvexSet, rotation: Array, position: Array) ->
     return np.concatenate([directions, -directions, [centre] if centre.any() else own[:1]])
 
 
-def _refined(bound: Callable[[Array], Array], start: Array, spread: float) -> Array:
-    """Nelder and Mead's method in the tangent plane at ``start``; the bound may have kinks."""
-    tangent = np.linalg.svd(start[None, :])[2][1:]
-    free = len(tangent)
+def _refined(bound: Callable[[Array], Array], starts: Array, spread: float) -> Array:
+    """Local maxima of the bound from ``starts`` (m, d), all in step.
 
-    def normal(u: Array) -> Array:
-        return unit(start + u @ tangent)
+    Pattern search, for the bound has kinks: each round tries a ring of directions about each
+    point, turned by the golden angle from round to round so that no cone of ascent is missed for
+    long, and a point that gains nothing halves its ring, nearly.
+    """
+    n, value = starts.copy(), bound(starts)
+    tangent = np.array([np.linalg.svd(start[None, :])[2][1:] for start in starts])
+    step = np.full(len(starts), spread)
+    for turn in range(MAX_ROUNDS):
+        offsets = step[:, None, None] * (_ring(starts.shape[1], turn) @ tangent)
+        tried = unit(n[:, None] + offsets)
+        values = bound(tried)
+        best = np.argmax(values, axis=1)[:, None]
+        reached = np.take_along_axis(values, best, axis=1)[:, 0]
+        better = reached > value + GAIN_TOLERANCE * np.abs(value)
+        n[better] = np.take_along_axis(tried, best[..., None], axis=1)[better, 0]
+        value[better] = reached[better]
+        step[~better] *= SHRINK
+        if np.all(step < DIRECTION_TOLERANCE_RAD):
+            break
+    return n
 
-    simplex = spread * np.concatenate([np.zeros((1, free)), np.eye(free)])
-    options = {"initial_simplex": simplex, "xatol": DIRECTION_TOLERANCE_RAD, "fatol": np.inf}
-    found = minimize(
-        lambda u: -float(bound(normal(u))), np.zeros(free), method="Nelder-Mead", options=options
-    )
-    return normal(np.asarray(found.x))
+
+def _ring(dim: int, turn: int) -> Array:
+    """Offsets (p, dim − 1) in the tangent space, of length 1 and ½."""
+    if dim == 2:
+        return np.array([[1.0], [-1.0], [0.5], [-0.5]])
+    angle = np.arange(RING) * (2.0 * np.pi / RING) + turn * GOLDEN_ANGLE_RAD
+    ring = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    return np.concatenate([ring, 0.5 * ring])
 
 
 @cache
@@ -92,6 +111,6 @@ def sphere_samples(count: int, dim: int) -> Array:
         return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     # Fibonacci lattice: equal areas, successive points turned by the golden angle.
     z = 1.0 - (2.0 * index + 1.0) / count
-    angle = index * np.pi * (3.0 - np.sqrt(5.0))
+    angle = index * GOLDEN_ANGLE_RAD
     ring = np.sqrt(1.0 - z * z)
     return np.stack([ring * np.cos(angle), ring * np.sin(angle), z], axis=-1)
