@@ -75,7 +75,7 @@ def coal_pair(a: ConvexSet, b: ConvexSet, scale: float) -> tuple[CoalShape, Coal
     if {type(a), type(b)} != {Sphere, Cylinder}:
         return pair
     # coal's own routine for a ball and a cylinder errs in depth once the ball's centre is inside
-    # (3.0.3: half of such queries). A capsule of length 0 goes the general way.
+    # (3.0.3: 18 to 76% of such queries). A capsule of length 0 goes the general way.
     first, second = (
         CoalShape(coal.Capsule(scale * s.radius, 0.0), p.turn) if isinstance(s, Sphere) else p
         for s, p in zip((a, b), pair, strict=True)

@@ -42,7 +42,6 @@ SHORTEST_NORMAL = 1e-3
 # Gap, as a fraction of the sizes, opened between overlapping sets to find where they would touch.
 TOUCH_GAP = 1e-3
 
-
 Flags = npt.NDArray[np.bool_]
 
 

@@ -44,7 +44,7 @@ class ConicForm:
     """
 
     dim: int
-    linear_A: Array  # noqa: N815 (named as in the formula)
+    linear_A: Array
     linear_b: Array
     blocks: tuple[SecondOrderBlock, ...]
 
