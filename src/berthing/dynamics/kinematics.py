@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from berthing.dynamics.rotation import Sym
+from berthing.sym import Sym
 
 
 @dataclass(frozen=True)

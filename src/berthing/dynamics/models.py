@@ -8,11 +8,11 @@ from typing import Any
 
 from berthing.dynamics import point_mass, rigid_body
 from berthing.dynamics.kinematics import Kinematics
-from berthing.dynamics.rotation import Sym
 from berthing.errors import CapabilityError
 from berthing.scenario.native_state import Model
 from berthing.scenario.point_mass import PointMass
 from berthing.scenario.rigid_body import RigidBody
+from berthing.sym import Sym
 
 
 @dataclass(frozen=True)

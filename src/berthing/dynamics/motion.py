@@ -13,12 +13,13 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from berthing.dynamics.rotation import Sym, rotation_matrix
+from berthing.dynamics.rotation import rotation_matrix
 from berthing.errors import CapabilityError
 from berthing.geometry.arrays import skew
 from berthing.geometry.pose import Pose
 from berthing.scenario.motion import ConstantSpin, ConstantVelocity, Fixed, Motion
 from berthing.scenario.tabulated import Tabulated
+from berthing.sym import Sym
 
 
 @dataclass(frozen=True)

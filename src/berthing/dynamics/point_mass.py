@@ -5,8 +5,8 @@ from __future__ import annotations
 import casadi as ca
 
 from berthing.dynamics.kinematics import Kinematics
-from berthing.dynamics.rotation import Sym
 from berthing.scenario.point_mass import PointMass
+from berthing.sym import Sym
 
 
 def derivative(model: PointMass, t: Sym, x: Sym, u: Sym) -> Sym:

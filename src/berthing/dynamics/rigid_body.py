@@ -15,10 +15,11 @@ import casadi as ca
 import numpy as np
 
 from berthing.dynamics.kinematics import Kinematics
-from berthing.dynamics.rotation import Sym, attitude_error, quaternion_rate, rotation_matrix
+from berthing.dynamics.rotation import attitude_error, quaternion_rate, rotation_matrix
 from berthing.dynamics.wrench import wrench_expression
 from berthing.geometry.arrays import skew
 from berthing.scenario.rigid_body import RigidBody
+from berthing.sym import Sym
 
 
 def derivative(model: RigidBody, t: Sym, x: Sym, u: Sym) -> Sym:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import casadi as ca
 
-Sym = Any
-"""A casadi expression or matrix; casadi ships no types."""
+from berthing.sym import Sym
 
 
 def rotation_matrix(q: Sym) -> Sym:

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import casadi as ca
 import numpy as np
 
-from berthing.dynamics.rotation import Sym
 from berthing.scenario.wrench import Wrench
+from berthing.sym import Sym
 
 
 def wrench_expression(wrenches: Sequence[Wrench], t: Sym) -> Sym:

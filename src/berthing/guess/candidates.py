@@ -142,9 +142,7 @@ def _along(body: Body, end: _Ends) -> Array:
     if sine < 1e-9:
         return end.q0
     angle = np.asarray(np.arctan2(sine, now @ target))
-    return np.asarray(
-        quaternion.multiply(quaternion.from_axis_angle(normal / sine, angle), end.q0)
-    )
+    return np.asarray(quaternion.multiply(quaternion.from_axis_angle(normal / sine, angle), end.q0))
 
 
 def _random(
@@ -173,9 +171,7 @@ def _random(
     return out
 
 
-def _obstacles(
-    scenario: Scenario, end: _Ends, duration_s: float
-) -> list[tuple[str, Body, Pose]]:
+def _obstacles(scenario: Scenario, end: _Ends, duration_s: float) -> list[tuple[str, Body, Pose]]:
     """Structures at half time, nearest the straight line first."""
     found = []
     for structure in scenario.structures:

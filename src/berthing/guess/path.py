@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation, Slerp
 from berthing.geometry.arrays import Array
 from berthing.scenario.phase import Phase
 from berthing.scenario.vehicle import Vehicle
+from berthing.transcription.lagrange import interpolation_matrix
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Motion
 
@@ -95,8 +96,6 @@ def _continuous(q: Array, first: Array) -> Array:
 
 def resample(motion: Motion, phase: Phase, old: Mesh, new: Mesh) -> Motion:
     """The same polynomials on another mesh."""
-    from berthing.transcription.lagrange import interpolation_matrix
-
     states, controls = {}, {}
     for vehicle in phase.vehicles:
         X, U = motion.states[vehicle.name], motion.controls[vehicle.name]

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
+from berthing.sym import Sym
 
-Sym = Any
+SymPose = tuple[Sym, Sym]
+"""Position (d,) and rotation (d, d), own → world, of one set."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,7 @@ class PairFormulation(ABC):
 
     @abstractmethod
     def rows(
-        self, v: Sym, pose_a: tuple[Sym, Sym], pose_b: tuple[Sym, Sym], margin_m: Sym, length_m: float
+        self, v: Sym, pose_a: SymPose, pose_b: SymPose, margin_m: Sym, length_m: float
     ) -> Rows:
         """Rows that hold only if the sets are at least ``margin_m`` apart.
 

@@ -14,8 +14,9 @@ import numpy as np
 from berthing.geometry.arrays import Array
 from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.pose import Pose
-from berthing.proximity.formulation import PairFormulation, Rows, Sym, Variables, unbounded
+from berthing.proximity.formulation import PairFormulation, Rows, SymPose, Variables, unbounded
 from berthing.proximity.support_epigraph import support_epigraph
+from berthing.sym import Sym
 
 
 class PlaneFormulation(PairFormulation):
@@ -33,7 +34,7 @@ class PlaneFormulation(PairFormulation):
         self.variables: Variables = unbounded(names)
 
     def rows(
-        self, v: Sym, pose_a: tuple[Sym, Sym], pose_b: tuple[Sym, Sym], margin_m: Sym, length_m: float
+        self, v: Sym, pose_a: SymPose, pose_b: SymPose, margin_m: Sym, length_m: float
     ) -> Rows:
         d, size_a = self.a.dim, self.epigraph_a.size
         (r_a, R_a), (r_b, R_b) = pose_a, pose_b

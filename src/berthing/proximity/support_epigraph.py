@@ -13,6 +13,7 @@ vertices needs one variable: t ≥ mᵀ v for each vertex v.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import casadi as ca
 import numpy as np
@@ -22,7 +23,7 @@ from berthing.geometry.arrays import Array
 from berthing.geometry.capability import HasConicForm, HasVertices
 from berthing.geometry.conic_form import ConicForm, SecondOrderBlock
 from berthing.geometry.convex_set import ConvexSet
-from berthing.proximity.formulation import Sym
+from berthing.sym import Sym
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ class BlockEpigraph:
 
     def _tails(self) -> list[slice]:
         ends = np.cumsum([0, *(len(block.b) for block in self.blocks)])
-        return [slice(int(i), int(j)) for i, j in zip(ends[:-1], ends[1:], strict=True)]
+        return [slice(int(i), int(j)) for i, j in pairwise(ends)]
 
 
 @dataclass(frozen=True)
@@ -84,7 +85,7 @@ class VertexEpigraph:
         return EpigraphRows(t[0], column, np.zeros(count), np.full(count, np.inf))
 
     def start(self, m: Array) -> Array:
-        return np.max(m @ self.vertices.T, axis=-1, keepdims=True)
+        return np.asarray(np.max(m @ self.vertices.T, axis=-1, keepdims=True))
 
 
 Epigraph = BlockEpigraph | VertexEpigraph
@@ -99,13 +100,13 @@ def support_epigraph(shape: ConvexSet) -> Epigraph:
     if isinstance(shape, HasConicForm):
         tail = _square_tail(shape.conic_form())
         if tail is not None:
-            return BlockEpigraph(shape.conic_form().blocks, np.linalg.inv(tail).T)
+            return BlockEpigraph(shape.conic_form().blocks, np.asarray(np.linalg.inv(tail).T))
     if isinstance(shape, HasVertices):
         return VertexEpigraph(shape.vertices())
     raise CapabilityError(
-        f"no exact support epigraph for {type(shape).__name__}; `plane` takes sets whose conic form "
-        "is made of second-order blocks with an invertible tail (Box, Sphere, Ellipsoid, Cylinder) "
-        "and sets with vertices (Polytope)"
+        f"no exact support epigraph for {type(shape).__name__}; `plane` takes sets whose conic "
+        "form is made of second-order blocks with an invertible tail (Box, Sphere, Ellipsoid, "
+        "Cylinder) and sets with vertices (Polytope)"
     )
 
 

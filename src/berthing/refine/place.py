@@ -6,6 +6,7 @@ import numpy as np
 
 from berthing.geometry.arrays import Array
 from berthing.refine.sampling import SampledClearance
+from berthing.transcription.elements import Index
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.sites import Site, node_sites
 
@@ -32,7 +33,7 @@ def near_sites(mesh: Mesh, pairs: int, sampled: SampledClearance, within_m: floa
     return kept
 
 
-def peaks(shortfall: Array, allowed_m: float) -> Array:
+def peaks(shortfall: Array, allowed_m: float) -> Index:
     """Indices of the local maxima of ``shortfall`` (k,) above ``allowed_m``."""
     before = np.concatenate([[-np.inf], shortfall[:-1]])
     after = np.concatenate([shortfall[1:], [-np.inf]])

@@ -35,19 +35,13 @@ def solve_each(
         for i, start in enumerate(starts):
             yield i, solver.solve(scenario, start, backoff_m=backoff_m)
         return
-    context = multiprocessing.get_context("fork")
     running: dict[Connection, tuple[int, BaseProcess]] = {}
     queue = list(range(len(starts)))
     try:
         while queue or running:
             while queue and len(running) < cores():
                 i = queue.pop(0)
-                receiver, sender = context.Pipe(duplex=False)
-                child = context.Process(
-                    target=_child, args=(sender, solver, scenario, starts[i], backoff_m)
-                )
-                child.start()
-                sender.close()
+                receiver, child = _forked(solver, scenario, starts[i], backoff_m)
                 running[receiver] = (i, child)
             for ready in wait(list(running)):
                 assert isinstance(ready, Connection)
@@ -60,6 +54,19 @@ def solve_each(
         for _, child in running.values():
             child.kill()
             child.join()
+
+
+def _forked(
+    solver: Solver, scenario: Scenario, start: Start, backoff_m: float
+) -> tuple[Connection, BaseProcess]:
+    """A child at work on ``start``, and where its outcome will come from."""
+    context = multiprocessing.get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    child = context.Process(target=_child, args=(sender, solver, scenario, start, backoff_m))
+    child.start()
+    # The child has its own copy: with ours closed, its death is the end of the stream.
+    sender.close()
+    return receiver, child
 
 
 def _received(receiver: Connection) -> Outcome | None:

@@ -20,7 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from berthing.geometry.arrays import Array
-from berthing.proximity.formulation import Sym
+from berthing.sym import Sym
 
 Index = npt.NDArray[np.int64]
 
@@ -38,12 +38,12 @@ class Kernel:
         z, p, c, rows, objective = (ca.SX(ca.densify(ca.SX(v))) for v in (z, p, c, rows, objective))
         self.sizes = (z.numel(), p.numel(), c.numel(), rows.numel())
         inputs = [z, p, c]
-        jacobian = ca.jacobian(rows, z)
+        jacobian: Sym = ca.jacobian(rows, z)
         self.jacobian_pattern: Sequence[Index] = _pattern(jacobian.sparsity())
         gradient = ca.densify(ca.gradient(objective, z))
         lam, lam_f = ca.SX.sym("lam", rows.numel()), ca.SX.sym("lam_f")
         lagrangian = lam_f * objective + ca.dot(lam, rows)
-        hessian = ca.triu(ca.hessian(lagrangian, z)[0])
+        hessian: Sym = ca.triu(ca.hessian(lagrangian, z)[0])
         self.hessian_pattern: Sequence[Index] = _pattern(hessian.sparsity())
         self.value = ca.Function("value", inputs, [rows, objective])
         self.first = ca.Function("first", inputs, [_nonzeros(jacobian), gradient])
@@ -147,15 +147,15 @@ class _Scatter:
         empty = np.empty(0, np.int64)
         self.rows = [empty if rows is None else rows]
         self.columns = [empty if columns is None else columns]
-        self.values: list[Any] = [ca.MX(ca.DM(np.empty(0) if values is None else values))]
+        self.values: list[Sym] = [ca.MX(ca.DM(np.empty(0) if values is None else values))]
 
-    def add(self, rows: Index, columns: Index, values: Any) -> None:
+    def add(self, rows: Index, columns: Index, values: Sym) -> None:
         """Entries (n, k) with values (k, n), a casadi matrix."""
         self.rows.append(rows.ravel())
         self.columns.append(columns.ravel())
         self.values.append(ca.vec(values))
 
-    def matrix(self) -> Any:
+    def matrix(self) -> Sym:
         rows, columns = np.concatenate(self.rows), np.concatenate(self.columns)
         keys, position = np.unique(columns * self.shape[0] + rows, return_inverse=True)
         pattern = ca.Sparsity.triplet(
@@ -166,7 +166,7 @@ class _Scatter:
         return ca.MX(pattern, nonzeros)
 
 
-def _inputs(batch: Batch, x: Any, p: Any) -> list[Any]:
+def _inputs(batch: Batch, x: Sym, p: Sym) -> list[Sym]:
     n = len(batch.z)
     nz, n_p = batch.z.shape[1], batch.p.shape[1]
     z = ca.reshape(x[batch.z.ravel().tolist()], nz, n) if nz else ca.MX(0, n)
@@ -174,21 +174,21 @@ def _inputs(batch: Batch, x: Any, p: Any) -> list[Any]:
     return [z, parameters, ca.MX(ca.DM(batch.c.T)) if batch.c.size else ca.MX(0, n)]
 
 
-def _added(size: int, index: Index, values: Any) -> Any:
+def _added(size: int, index: Index, values: Sym) -> Sym:
     """Column (size,) with values (k, n) added at the indices (n, k)."""
     flat = index.ravel()
     gather = _sparse(size, len(flat), flat, np.arange(len(flat)), np.ones(len(flat)))
     return ca.mtimes(gather, ca.vec(values))
 
 
-def _sparse(rows: int, columns: int, i: Index, j: Index, values: Array) -> Any:
+def _sparse(rows: int, columns: int, i: Index, j: Index, values: Array) -> Sym:
     return ca.DM.triplet(i.tolist(), j.tolist(), ca.DM(values), rows, columns)
 
 
-def _pattern(sparsity: Any) -> tuple[Index, Index]:
+def _pattern(sparsity: Sym) -> tuple[Index, Index]:
     rows, columns = sparsity.get_triplet()
     return np.asarray(rows, np.int64), np.asarray(columns, np.int64)
 
 
-def _nonzeros(matrix: Any) -> Any:
+def _nonzeros(matrix: Sym) -> Sym:
     return ca.vertcat(*matrix.nonzeros()) if matrix.nnz() else ca.SX(0, 1)

@@ -13,9 +13,9 @@ from berthing.dynamics.rotation import quaternion_product
 from berthing.errors import InputError
 from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array
-from berthing.proximity.formulation import Sym
 from berthing.scenario.attitude import AxisAttitude, FixedAttitude, FreeAttitude
 from berthing.scenario.goal import End
+from berthing.sym import Sym
 from berthing.transcription.elements import Index
 from berthing.transcription.inputs import Inputs
 from berthing.transcription.layout import PhaseLayout, VehicleLayout

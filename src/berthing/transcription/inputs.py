@@ -9,7 +9,7 @@ import casadi as ca
 import numpy as np
 import numpy.typing as npt
 
-from berthing.proximity.formulation import Sym
+from berthing.sym import Sym
 from berthing.transcription.elements import Elements, Kernel
 
 

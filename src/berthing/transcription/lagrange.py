@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.polynomial import chebyshev
 
@@ -58,6 +60,6 @@ def to_bernstein(points: Array) -> Array:
     degree = len(points) - 1
     s = 0.5 * (points + 1.0)
     k = np.arange(degree + 1)
-    binomial = np.array([np.prod(np.arange(degree, degree - i, -1) / np.arange(1, i + 1)) for i in k])
+    binomial = np.array([float(math.comb(degree, i)) for i in range(degree + 1)])
     basis = binomial * s[:, None] ** k * (1.0 - s[:, None]) ** (degree - k)
     return np.asarray(np.linalg.inv(basis))

@@ -11,10 +11,10 @@ from berthing.dynamics.kinematics import Kinematics
 from berthing.dynamics.models import symbolic
 from berthing.dynamics.motion import Frame, symbolic_motion
 from berthing.geometry.arrays import Array
-from berthing.proximity.formulation import Sym
 from berthing.scenario.phase import Phase
 from berthing.scenario.structure import Structure
 from berthing.scenario.vehicle import Vehicle
+from berthing.sym import Sym
 from berthing.transcription.elements import Elements, Index
 from berthing.transcription.inputs import Inputs
 from berthing.transcription.lagrange import interpolation_matrix

@@ -27,14 +27,18 @@ class Mesh:
 
     def __post_init__(self) -> None:
         if len(self.breaks) != len(self.degrees) + 1 or self.breaks[0] != 0 or self.breaks[-1] != 1:
-            raise InputError("mesh", f"breaks {self.breaks}", "fractions from 0 to 1, one a segment")
+            raise InputError(
+                "mesh", f"breaks {self.breaks}", "fractions from 0 to 1, one a segment"
+            )
         if any(b <= a for a, b in zip(self.breaks[:-1], self.breaks[1:], strict=True)):
             raise InputError("mesh", "the breaks do not rise", "strictly rising fractions")
 
     @staticmethod
     def uniform(scheme_name: str, segments: int, degree: int) -> Mesh:
         """``segments`` equal segments of one degree."""
-        return Mesh(scheme_name, tuple(np.linspace(0, 1, segments + 1).tolist()), (degree,) * segments)
+        return Mesh(
+            scheme_name, tuple(np.linspace(0, 1, segments + 1).tolist()), (degree,) * segments
+        )
 
     @property
     def segments(self) -> int:
@@ -68,13 +72,17 @@ class Mesh:
     def point_fractions(self) -> Array:
         """(point_count,) fractions of all state points."""
         inner = [
-            self.fraction(k, float(s)) for k in range(self.segments) for s in self.node_set(k).points[:-1]
+            self.fraction(k, float(s))
+            for k in range(self.segments)
+            for s in self.node_set(k).points[:-1]
         ]
         return np.array([*inner, 1.0])
 
     def locate(self, fraction: float) -> tuple[int, float]:
         """Segment and local coordinate of a fraction of the phase."""
-        k = int(np.clip(np.searchsorted(self.breaks, fraction, side="right") - 1, 0, self.segments - 1))
+        k = int(
+            np.clip(np.searchsorted(self.breaks, fraction, side="right") - 1, 0, self.segments - 1)
+        )
         b0, b1 = self.breaks[k], self.breaks[k + 1]
         return k, float(np.clip(2.0 * (fraction - b0) / (b1 - b0) - 1.0, -1.0, 1.0))
 

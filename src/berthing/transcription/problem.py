@@ -20,8 +20,6 @@ from berthing.scenario.structure import Structure
 from berthing.transcription.defects import add_cost, add_defects, quadrature
 from berthing.transcription.elements import Index
 from berthing.transcription.ends import add_ends, end_parameters
-from berthing.transcription.limits import add_limits
-from berthing.transcription.mesh import Mesh
 from berthing.transcription.lagrange import interpolation_matrix
 from berthing.transcription.layout import (
     PhaseLayout,
@@ -30,6 +28,8 @@ from berthing.transcription.layout import (
     lay_out,
     state_name,
 )
+from berthing.transcription.limits import add_limits
+from berthing.transcription.mesh import Mesh
 from berthing.transcription.scaling import phase_scale
 from berthing.transcription.separation import (
     Normals,
@@ -114,9 +114,9 @@ class Problem:
         sites = self.separation.sites
         starts = start_sites(self.formulations, sites, poses_a, poses_b, normals)
         values.update(zip(self.separation.blocks, starts, strict=True))
-        for (vehicle, k, s), block in self.separation.lifted.items():
-            x = interpolate(self.mesh, motion.states[vehicle], k, s)
-            values[block] = x[self.layout.vehicles[vehicle].pose_columns()]
+        for (owner, k, s), block in self.separation.lifted.items():
+            x = interpolate(self.mesh, motion.states[owner], k, s)
+            values[block] = x[self.layout.vehicles[owner].pose_columns()]
         return self.layout.variables.join(values)
 
     def motion(self, x: Array, duration_s: float) -> Motion:
@@ -181,11 +181,10 @@ def build(
         CapabilityError: the formulation cannot take a shape of the scenario.
     """
     pairs = scenario.pairs(phase)
-    forms = {
-        (type_key(p.part_a), type_key(p.part_b)): formulate(formulation, p.part_a.shape, p.part_b.shape)
-        for p in pairs
-    }
-    formulations = tuple(forms[type_key(p.part_a), type_key(p.part_b)] for p in pairs)
+    # Sets are hashed by identity: parts share a formulation where they share their shapes.
+    shapes = [(pair.part_a.shape, pair.part_b.shape) for pair in pairs]
+    forms = {both: formulate(formulation, *both) for both in shapes}
+    formulations = tuple(forms[both] for both in shapes)
     scale = phase_scale(scenario, phase)
     layout = lay_out(phase, scenario.structures, mesh, scale, t0_s)
     defect_rows = add_defects(layout)
@@ -193,14 +192,5 @@ def build(
     add_ends(layout)
     add_limits(layout)
     separation = add_separation(layout, pairs, formulations, sites, regulariser)
-    nlp = layout.elements.programme(
-        layout.variables.size, layout.parameters.size, layout.rows.size
-    )
-    return Problem(
-        scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation
-    )
-
-
-def type_key(part: Any) -> int:
-    """Parts share a formulation object where they are the same shape object."""
-    return id(part.shape)
+    nlp = layout.elements.programme(layout.variables.size, layout.parameters.size, layout.rows.size)
+    return Problem(scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation)

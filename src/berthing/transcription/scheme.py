@@ -39,9 +39,7 @@ def lgr_nodes(degree: int) -> NodeSet:
     """Legendre–Gauss–Radau: ``degree`` collocated points from -1, and the end 1 besides."""
     points, weights = lgr.radau(degree)
     support = lgr.with_end(points)
-    return NodeSet(
-        support, tuple(range(degree)), weights, differentiation_matrix(support)[:degree]
-    )
+    return NodeSet(support, tuple(range(degree)), weights, differentiation_matrix(support)[:degree])
 
 
 SCHEMES: dict[str, Callable[[int], NodeSet]] = {"lgr": lgr_nodes}

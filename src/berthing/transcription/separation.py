@@ -7,7 +7,7 @@ point, where substituting would couple every point of the segment with every oth
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -17,16 +17,16 @@ import numpy as np
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
 from berthing.geometry.pose import Pose
-from berthing.proximity.formulation import PairFormulation, Sym
+from berthing.proximity.formulation import PairFormulation, SymPose
 from berthing.scenario.pair import Pair
 from berthing.scenario.structure import Structure
 from berthing.scenario.vehicle import Vehicle
+from berthing.sym import Sym
 from berthing.transcription.elements import Index
 from berthing.transcription.inputs import Inputs
 from berthing.transcription.layout import PhaseLayout
 from berthing.transcription.packing import Block
 from berthing.transcription.sites import Site
-
 
 Normals = Callable[[int, Pose, Pose], Array]
 """(pair, poses of its parts) → unit normals (n, d), world, from A to B, that part them best."""
@@ -67,34 +67,47 @@ def add_separation(
     places = _Places(layout)
     blocks, separation_rows = [""] * len(sites), [0] * len(sites)
     for p, (pair, form) in enumerate(zip(pairs, formulations, strict=True)):
-        here = [i for i, site in enumerate(sites) if site.pair == p]
-        if not here:
-            continue
-        columns: dict[str, list[Index]] = {"v": [], "margin": [], "a": [], "b": []}
-        fractions, lines = [], []
-        kernel = _PairKernel(layout, pair, form, regulariser / len(sites))
-        for i in here:
-            site, fraction = sites[i], layout.mesh.fraction(sites[i].segment, sites[i].s)
-            block = layout.variables.add(
-                f"{layout.phase.name}/site{i}/{pair.name}", (len(form.variables), 1),
-                lower=form.variables.lower, upper=form.variables.upper,
-            )  # fmt: skip
-            rows = layout.rows.add(
-                len(kernel.lower), kernel.lower, kernel.upper,
-                partial(_label, pair.label, layout.nominal_time(fraction)),
-                unit_scale=layout.scale.length_m, unit="m",
-            )  # fmt: skip
-            columns["v"].append(block.indices.ravel())
-            columns["margin"].append(margins.indices[i])
-            for side, owner in (("a", pair.owner_a), ("b", pair.owner_b)):
-                if isinstance(owner, Vehicle):
-                    columns[side].append(places.indices(owner.name, site))
-            fractions.append(fraction)
-            lines.append(rows)
-            blocks[i], separation_rows[i] = block.name, int(rows[kernel.separation])
-        values = layout.shared_indices(len(here)) | columns | {"fraction": fractions}
-        kernel.inputs.add(layout.elements, kernel.kernel, values, np.vstack(lines))
+        here = {i: site for i, site in enumerate(sites) if site.pair == p}
+        if here:
+            kernel = _PairKernel(layout, pair, form, regulariser / len(sites))
+            for i, block, row in _add_pair(layout, kernel, here, places, margins):
+                blocks[i], separation_rows[i] = block.name, row
     return SiteRows(tuple(sites), tuple(blocks), places.names, tuple(separation_rows))
+
+
+def _add_pair(
+    layout: PhaseLayout,
+    kernel: _PairKernel,
+    sites: Mapping[int, Site],
+    places: _Places,
+    margins: Block,
+) -> list[tuple[int, Block, int]]:
+    """Append the sites of one pair: (number of the site, its block, its separation row)."""
+    pair, variables = kernel.pair, kernel.form.variables
+    columns: dict[str, list[Index]] = {"v": [], "margin": [], "a": [], "b": []}
+    fractions, lines, out = [], [], []
+    for i, site in sites.items():
+        fraction = layout.mesh.fraction(site.segment, site.s)
+        block = layout.variables.add(
+            f"{layout.phase.name}/site{i}/{pair.name}", (len(variables), 1),
+            lower=variables.lower, upper=variables.upper,
+        )  # fmt: skip
+        rows = layout.rows.add(
+            len(kernel.lower), kernel.lower, kernel.upper,
+            partial(_label, pair.label, layout.nominal_time(fraction)),
+            unit_scale=layout.scale.length_m, unit="m",
+        )  # fmt: skip
+        columns["v"].append(block.indices.ravel())
+        columns["margin"].append(margins.indices[i])
+        for side, owner in (("a", pair.owner_a), ("b", pair.owner_b)):
+            if isinstance(owner, Vehicle):
+                columns[side].append(places.indices(owner.name, site))
+        fractions.append(fraction)
+        lines.append(rows)
+        out.append((i, block, int(rows[kernel.separation])))
+    values = layout.shared_indices(len(sites)) | columns | {"fraction": fractions}
+    kernel.inputs.add(layout.elements, kernel.kernel, values, np.vstack(lines))
+    return out
 
 
 class _PairKernel:
@@ -103,6 +116,7 @@ class _PairKernel:
     def __init__(
         self, layout: PhaseLayout, pair: Pair, form: PairFormulation, regulariser: float
     ) -> None:
+        self.pair, self.form = pair, form
         self.inputs = Inputs()
         v = self.inputs.variable("v", len(form.variables))
         margin, fraction = self.inputs.parameter("margin", 1), self.inputs.constant("fraction")
@@ -115,7 +129,7 @@ class _PairKernel:
 
     def _pose(
         self, layout: PhaseLayout, side: str, owner: Vehicle | Structure, part: Part, t: Sym
-    ) -> tuple[Sym, Sym]:
+    ) -> SymPose:
         if isinstance(owner, Structure):
             frame = layout.declare_frame(self.inputs, owner.name, t)
             return _placed(frame.position, frame.rotation, part.placement)
@@ -162,12 +176,12 @@ class _Places:
         # Weights sum to one, so that the shift is the same on both sides and drops out.
         layout.elements.add_linear(rows, block.indices.ravel(), -1.0)
         layout.elements.add_linear(
-            rows[:, None], owner.state.indices[np.ix_(columns, points)], weights[None]
+            rows[:, None], owner.state.indices[np.ix_(np.array(columns), points)], weights[None]
         )
         return block
 
 
-def _placed(position: Sym, rotation: Sym, placement: Pose) -> tuple[Sym, Sym]:
+def _placed(position: Sym, rotation: Sym, placement: Pose) -> SymPose:
     # Zero offsets and identities are left out, so that the expression stays as small as it is.
     if np.any(placement.position):
         position = position + ca.mtimes(rotation, ca.DM(placement.position))
