@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 from rich.console import Console
-from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
-from rich.table import Table
+from rich.progress import Progress, TextColumn, TimeElapsedColumn
+from rich.table import Column, Table
 from rich.text import Text
 
 from berthing.report.verdict_table import Row
@@ -17,25 +17,40 @@ STYLES = {None: "", True: "bold green", False: "bold red"}
 
 
 def print_rows(rows: Sequence[Row]) -> None:
-    """A table of two columns on standard output; plain text where that is no terminal."""
-    table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
-    for row in rows:
-        table.add_row(Text(row.label), Text(row.value, style=STYLES[row.good]))
+    """Two columns on standard output; elsewhere than on a terminal, lines are never broken."""
     console = Console(highlight=False)
-    console.print(table, soft_wrap=not console.is_terminal)
+    if console.is_terminal:
+        table = Table(show_header=False, box=None, padding=(0, 2, 0, 0))
+        for row in rows:
+            table.add_row(Text(row.label), Text(row.value, style=STYLES[row.good]))
+        console.print(table)
+        return
+    width = max(len(row.label) for row in rows)
+    for row in rows:
+        console.print(Text(f"{row.label:<{width}}  {row.value}"), soft_wrap=True)
 
 
 @contextmanager
 def progress_line() -> Iterator[Callable[[ProgressEvent], None] | None]:
-    """A line on standard error that follows the planner; None where nobody watches."""
+    """A line on standard error that follows the planner; None where nobody watches.
+
+    It is drawn anew with each event and by no thread of its own: the planner forks.
+    """
     console = Console(stderr=True)
     if not console.is_terminal:
         yield None
         return
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("starting", total=None)
-        yield lambda event: progress.update(task, description=describe(event))
+    columns = (
+        TimeElapsedColumn(Column(no_wrap=True, min_width=7)),
+        TextColumn("{task.description}", table_column=Column(no_wrap=True, overflow="ellipsis")),
+    )
+    line = Progress(
+        *columns, console=console, transient=True, auto_refresh=False, redirect_stdout=False,
+        redirect_stderr=False,
+    )  # fmt: skip
+    with line:
+        task = line.add_task("starting", total=None)
+        yield lambda event: line.update(task, description=describe(event), refresh=True)
 
 
 def describe(event: ProgressEvent) -> str:

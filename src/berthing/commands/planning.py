@@ -12,12 +12,12 @@ import typer
 from berthing import planner
 from berthing import result as outcomes
 from berthing.commands.console import print_rows, progress_line
-from berthing.commands.exit_codes import CERTIFIED, INTERRUPTED, NO_PLAN, NOT_CERTIFIED
+from berthing.commands.exit_codes import CERTIFIED, NO_PLAN, NOT_CERTIFIED
 from berthing.report import verdict_table
 from berthing.report.folder import write_result
 from berthing.report.fresh_folder import check_target
 from berthing.report.plan_json import summary, to_text
-from berthing.result import Result
+from berthing.result import ProgressEvent, Result
 from berthing.scenario.files import load
 from berthing.scenario.options import SolverOptions
 from berthing.scenario.scenario import Scenario
@@ -47,9 +47,11 @@ def run(
     check_target(target, force=force)
     with progress_line() as progress:
         result = planner.plan(scenario, options=options, progress=progress)
-    if result.outcome == outcomes.INTERRUPTED:
-        raise KeyboardInterrupt
-    document = write_result(scenario, result, options, target, force=force)
+        if result.outcome == outcomes.INTERRUPTED:
+            raise KeyboardInterrupt
+        if progress is not None:
+            progress(ProgressEvent("report", "figures and files"))
+        document = write_result(scenario, result, options, target, force=force)
     if as_json:
         typer.echo(to_text(summary(document, str(target))), nl=False)
     else:
@@ -64,10 +66,7 @@ def chosen_options(scenario: Scenario, given: Mapping[str, Any]) -> SolverOption
 
 
 def exit_code(result: Result) -> int:
-    """What the shell is told."""
-    if result.outcome == outcomes.INTERRUPTED:
-        return INTERRUPTED
+    """What the shell is told of an answer that was written."""
     if result.plan is None:
         return NO_PLAN
     return CERTIFIED if result.outcome == outcomes.CERTIFIED else NOT_CERTIFIED
-

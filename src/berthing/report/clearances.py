@@ -85,9 +85,7 @@ def _caption(figure: Figure, shown: list[str]) -> None:
         handles.append(Line2D([], [], ls="", label=label))
     columns = min(len(handles), 4)
     rows = -(-len(handles) // columns)
-    figure.legend(
-        handles=handles, loc="upper center", ncols=columns, fontsize=8, frameon=False
-    )
+    figure.legend(handles=handles, loc="upper center", ncols=columns, fontsize=8, frameon=False)
     height = figure.get_figheight()
     top = 1.0 - (0.35 + 0.19 * rows) / height
     figure.subplots_adjust(0.045, 0.42 / height, 0.99, top, 0.1)

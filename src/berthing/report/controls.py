@@ -60,9 +60,7 @@ def _panels(track: Track) -> list[_Panel]:
     units: dict[str, list[int]] = {}
     for i, name in enumerate(names):
         units.setdefault(name.rsplit("_", 1)[-1], []).append(i)
-    return [
-        _Panel(*UNITS.get(unit, ("Control", unit)), columns) for unit, columns in units.items()
-    ]
+    return [_Panel(*UNITS.get(unit, ("Control", unit)), columns) for unit, columns in units.items()]
 
 
 def _draw_panel(axes: Axes, panel: _Panel, tracks: list[Track]) -> None:

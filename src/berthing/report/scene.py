@@ -100,6 +100,4 @@ def _caption(figure: Figure, scenario: Scenario, tracks: list[Track]) -> None:
     ]
     if scenario.structures:
         handles.append(Line2D([], [], color=STRUCTURE_COLOUR, lw=6, label="structure"))
-    figure.legend(
-        handles=handles, loc="upper right", ncols=len(handles), fontsize=8, frameon=False
-    )
+    figure.legend(handles=handles, loc="upper right", ncols=len(handles), fontsize=8, frameon=False)

@@ -77,9 +77,7 @@ def _draw_panel(axes: Axes, panel: _Panel, track: Track) -> None:
     for i, component in enumerate(panel.components[: lines.shape[1]]):
         colour = COMPONENT_COLOURS[component]
         axes.plot(track.dense.times_s, lines[:, i], color=colour, ls=track.dash, lw=1.4)
-        axes.plot(
-            track.nodes.times_s, nodes[:, i], "o", color=colour, ms=3.2, mfc="white", mew=0.8
-        )
+        axes.plot(track.nodes.times_s, nodes[:, i], "o", color=colour, ms=3.2, mfc="white", mew=0.8)
 
 
 def _same_sign(nodes: Array, track: Track) -> Array:
@@ -99,6 +97,4 @@ def _caption(figure: Figure, tracks: list[Track]) -> None:
     if len(dashes) > 1:
         handles += [Line2D([], [], color=TEXT, ls=d, label=name) for name, d in dashes.items()]
     handles.append(Line2D([], [], color=TEXT, marker="o", mfc="white", ms=4, ls="", label="node"))
-    figure.legend(
-        handles=handles, loc="upper right", ncols=len(handles), fontsize=8, frameon=False
-    )
+    figure.legend(handles=handles, loc="upper right", ncols=len(handles), fontsize=8, frameon=False)

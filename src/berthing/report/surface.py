@@ -12,6 +12,8 @@ from berthing.geometry.mesh import Mesh
 from berthing.geometry.pose import Pose
 from berthing.report.camera import Camera
 
+# A triangle seen edge-on covers nothing; which side of zero its cosine falls is rounding.
+EDGE_ON = 1e-9
 # Neighbouring triangles that bend by more than this make an edge that is drawn.
 CREASE_COSINE = float(np.cos(np.radians(25.0)))
 
@@ -52,7 +54,7 @@ class Surface:
         corners = points[self.triangles]
         normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
-        front = normal @ camera.towards > 0.0
+        front = normal @ camera.towards > EDGE_ON
         one, other = self.neighbours.T
         crease = np.einsum("ij,ij->i", normal[one], normal[other]) < CREASE_COSINE
         outline = (front[one] != front[other]) | (one == other)

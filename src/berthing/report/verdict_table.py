@@ -92,7 +92,10 @@ def attempt_line(attempt: Attempt) -> str:
 def _bound(value: float) -> str:
     if value == math.inf:
         return "nothing to keep clear of"
-    return "nothing proven" if value == -math.inf else f"at least {value:.5f} m"
+    if value == -math.inf:
+        return "nothing proven"
+    # Rounded down: the table never claims more than was proven.
+    return f"at least {math.floor(value * 1e5) / 1e5:.5f} m"
 
 
 def _closest(v: Verification) -> str:
