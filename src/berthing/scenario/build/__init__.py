@@ -1,0 +1,1 @@
+"""Blocks of the file to the domain: what needs a second key, a dimension or a name elsewhere."""
