@@ -12,17 +12,17 @@ from berthing import result as outcomes
 from berthing.errors import InputError
 from berthing.guess.candidates import candidates
 from berthing.guess.normals import exact_normals
-from berthing.guess.path import motion_along
-from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner
+from berthing.guess.path import Guess, motion_along
+from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import SolverOptions
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.solve.ipopt import Budget, Solver, Start
 from berthing.solve.outcome import ADVICE, Outcome
-from berthing.solve.parallel import solve_each
+from berthing.solve.parallel import SolvePool, cores
 from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import Problem, build
+from berthing.transcription.problem import Motion, Problem, build
 from berthing.transcription.sites import node_sites
 from berthing.verify.endpoints import check_endpoints
 
@@ -40,6 +40,9 @@ ENOUGH = 6
 WORTH_TRYING = 0.97
 """A further candidate is refined only if its coarse cost, which understates, is below this share
 of the best certified one."""
+
+PATIENCE = 2.5
+"""Times as long as the first answer took: how long more answers are waited for before refining."""
 
 SAME_PASSAGE = 0.25
 """Coarse answers nearer than this share of the scenario's length are one and the same."""
@@ -72,17 +75,19 @@ def plan(
     with work.stage("check"):
         check_endpoints(scenario)
     with work.stage("guess"):
-        coarse, found = _coarse(work)
+        search = _search(work)
     best: Refinement | None = None
-    with work.stage("refine"):
-        for name, outcome in found:
-            if best is not None and not _worth(outcome, best):
-                continue
-            refined = work.refiner().run(name, coarse, outcome.motion)
-            work.attempts += refined.attempts
-            best = _better(best, refined)
-            if time.monotonic() > work.deadline:
-                break
+    with search.pool:
+        with work.stage("guess"):
+            search.first_answers()
+        with work.stage("refine"):
+            # Further guesses are solved on the other core meanwhile.
+            while (candidate := search.next_candidate(best)) is not None:
+                refined = work.refiner(search.poll).run(*candidate)
+                work.attempts += refined.attempts
+                best = _better(best, refined)
+                if time.monotonic() > work.deadline:
+                    break
     return work.result(best)
 
 
@@ -125,16 +130,19 @@ class _Work:
         degree = min(DEGREE, nodes)
         return Mesh.uniform(self.options.scheme, max(1, round(nodes / degree)), degree)
 
-    def refiner(self) -> Refiner:
+    def refiner(self, meanwhile: Callable[[], None]) -> Refiner:
+        """A refiner that calls ``meanwhile`` after every round."""
+
+        def report(detail: str, iterations: int, clearance_m: float | None) -> None:
+            self.iterations += iterations
+            self.clearance_m = clearance_m
+            self.tell("refine", detail)
+            meanwhile()
+
         return Refiner(
             self.scenario, self.phase, self.mesh(FINE_SEGMENTS), self.options.formulation,
-            self.options.seed, self._round, self.deadline,
+            self.options.seed, report, self.deadline,
         )  # fmt: skip
-
-    def _round(self, detail: str, iterations: int, clearance_m: float | None) -> None:
-        self.iterations += iterations
-        self.clearance_m = clearance_m
-        self.tell("refine", detail)
 
     def result(self, best: Refinement | None) -> Result:
         attempts = tuple(self.attempts)
@@ -175,47 +183,74 @@ class _Stage:
         self.work.seconds[self.name] = self.work.seconds.get(self.name, 0.0) + spent
 
 
-def _coarse(work: _Work) -> tuple[Problem, list[tuple[str, Outcome]]]:
-    """Answers on a coarse mesh from every guess, cheapest first, one of each passage."""
+def _search(work: _Work) -> _Search:
+    """The coarse problem and its guesses, ready to be solved."""
     scenario, phase = work.scenario, work.phase
     mesh = work.mesh(COARSE_SEGMENTS)
     pairs = scenario.pairs(phase)
-    problem = build(
-        scenario, phase, mesh, node_sites(mesh, len(pairs)), work.options.formulation
-    )
+    sites = node_sites(mesh, len(pairs))
+    problem = build(scenario, phase, mesh, sites, work.options.formulation)
     left = work.deadline - time.monotonic()
     solver = Solver.build(problem, "cold", Budget(COARSE_ITERATIONS, min(left, 1e6)))
     guesses = candidates(scenario, phase, work.options.seed)
-    duration = phase.horizon.nominal_s
-    normals = exact_normals(pairs)
+    duration, normals = phase.horizon.nominal_s, exact_normals(pairs)
     starts = [Start(motion_along(guess, phase, mesh, duration), normals) for guess in guesses]
-    found: list[tuple[str, Outcome]] = []
-    for i, outcome in solve_each(solver, scenario, starts, BACKOFF_M):
-        work.iterations += outcome.iterations
-        work.attempts.append(
-            Attempt(
-                guesses[i].name, outcome.status, mesh.control_count, outcome.iterations,
-                outcome.wall_time_s, outcome.cost if outcome.solved else None,
-                note="" if outcome.solved else outcome.worst_row,
-            )
-        )  # fmt: skip
-        work.tell("guess", f"{guesses[i].name}: {outcome.status}")
-        if outcome.solved:
-            found.append((guesses[i].name, outcome))
-            if len(found) == ENOUGH:
-                break
-    found.sort(key=lambda item: item[1].cost)
-    return problem, _distinct(found, SAME_PASSAGE * problem.layout.scale.length_m, phase)
+    pool = SolvePool(solver, scenario, starts, BACKOFF_M)
+    return _Search(work, problem, guesses, pool)
 
 
-def _distinct(
-    found: list[tuple[str, Outcome]], apart_m: float, phase: Phase
-) -> list[tuple[str, Outcome]]:
-    kept: list[tuple[str, Outcome]] = []
-    for name, outcome in found:
-        if all(_distance(outcome, other, phase) > apart_m for _, other in kept):
-            kept.append((name, outcome))
-    return kept
+@dataclass
+class _Search:
+    """Coarse answers as they come in, and which of them to refine next."""
+
+    work: _Work
+    problem: Problem
+    guesses: list[Guess]
+    pool: SolvePool
+    found: list[tuple[str, Outcome]] = field(default_factory=list)
+    tried: list[Outcome] = field(default_factory=list)
+
+    def first_answers(self) -> None:
+        """Solve guesses until a few have answers, or the first of them has had time for more."""
+        began, patience = time.monotonic(), float("inf")
+        while self.pool.busy and len(self.found) < ENOUGH:
+            self._take(self.pool.poll(cores(), max(began + patience - time.monotonic(), 0.0)
+                                      if self.found else None))  # fmt: skip
+            spent = time.monotonic() - began
+            if self.found and patience == float("inf"):
+                patience = spent * PATIENCE
+            if spent >= patience:
+                return
+
+    def poll(self) -> None:
+        """Keep one core on the guesses that are left."""
+        self._take(self.pool.poll(cores() - 1, 0.0))
+
+    def next_candidate(self, best: Refinement | None) -> tuple[str, Problem, Motion] | None:
+        """The cheapest answer of a passage not tried yet, if it may beat ``best``."""
+        certified = best is not None and best.certified
+        while True:
+            fresh = [item for item in self.found if self._is_new(item[1])]
+            for name, outcome in sorted(fresh, key=lambda item: item[1].cost):
+                if best is None or not certified or outcome.cost < WORTH_TRYING * best.cost:
+                    self.tried.append(outcome)
+                    return name, self.problem, outcome.motion
+            if certified or not self.pool.busy or time.monotonic() > self.work.deadline:
+                return None
+            self._take(self.pool.poll(cores(), None))
+
+    def _is_new(self, outcome: Outcome) -> bool:
+        apart_m = SAME_PASSAGE * self.problem.layout.scale.length_m
+        return all(_distance(outcome, old, self.work.phase) > apart_m for old in self.tried)
+
+    def _take(self, answers: list[tuple[int, Outcome]]) -> None:
+        for i, outcome in answers:
+            name = self.guesses[i].name
+            self.work.iterations += outcome.iterations
+            self.work.attempts.append(attempt(name, self.problem, outcome))
+            self.work.tell("guess", f"{name}: {outcome.status}")
+            if outcome.solved:
+                self.found.append((name, outcome))
 
 
 def _distance(a: Outcome, b: Outcome, phase: Phase) -> float:
@@ -226,17 +261,10 @@ def _distance(a: Outcome, b: Outcome, phase: Phase) -> float:
     return max(float(np.max(np.linalg.norm(gap, axis=0))) for gap in gaps)
 
 
-def _worth(outcome: Outcome, best: Refinement) -> bool:
-    if best.plan is None or best.verification is None or not best.verification.certified:
-        return True
-    return outcome.cost < WORTH_TRYING * best.plan.cost
-
-
 def _better(best: Refinement | None, new: Refinement) -> Refinement:
-    if best is None or best.plan is None or best.verification is None:
+    if best is None or best.plan is None:
         return new
-    if new.plan is None or new.verification is None:
+    if new.plan is None:
         return best
-    ranks = [(not r.verification.certified, r.plan.cost)
-             for r in (best, new) if r.verification and r.plan]  # fmt: skip
-    return best if ranks[0] <= ranks[1] else new
+    old_rank, new_rank = ((not r.certified, r.cost) for r in (best, new))
+    return best if old_rank <= new_rank else new

@@ -21,7 +21,7 @@ from berthing.refine.sampling import SampledClearance, sample_clearance, sample_
 from berthing.result import Attempt
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
-from berthing.solve.ipopt import Budget, Solver, Start
+from berthing.solve.ipopt import Answer, Budget, Solver, Start
 from berthing.solve.outcome import Outcome
 from berthing.trajectory import Plan
 from berthing.transcription.extract import nodes, trajectories
@@ -47,6 +47,10 @@ LOOK_M = 2.0
 SAMPLES = 64
 """To a segment. Dips shallower than CLEAR_M may hide between samples; the certificate finds them."""
 
+CARRY_M = 5e-3
+"""Multipliers are carried to the next round where the dips are shallower than this: after deep
+ones other rows are active, and old multipliers mislead."""
+
 SPACING, REACH, SHRINK = 0.25, 1.3, 0.6
 """Sites around a dip: their spacing and reach in units of the mean distance of two nodes, and the
 factor by which the spacing shrinks from round to round."""
@@ -63,6 +67,16 @@ class Refinement:
     verification: Verification | None = None
     outcome: Outcome | None = None
     attempts: list[Attempt] = field(default_factory=list)
+
+    @property
+    def certified(self) -> bool:
+        """Whether there is a plan and it is certified."""
+        return self.verification is not None and self.verification.certified
+
+    @property
+    def cost(self) -> float:
+        """Of the plan; infinite where there is none."""
+        return float("inf") if self.plan is None else self.plan.cost
 
 
 @dataclass(frozen=True)
@@ -92,10 +106,11 @@ class Refiner:
         spacing = SPACING * motion.duration_s / mesh.control_count
         reach = REACH * motion.duration_s / mesh.control_count
         sites = dip_sites(mesh, sites, sampled, 0.0, spacing, reach)
+        previous: Answer | None = None
         for round_ in range(ROUNDS):
             problem = build(self.scenario, self.phase, mesh, sites, self.formulation)
-            outcome = self._solve(problem, motion)
-            result.attempts.append(_attempt(f"{name}, round {round_ + 1}", problem, outcome))
+            outcome = self._solve(problem, motion, previous)
+            result.attempts.append(attempt(f"{name}, round {round_ + 1}", problem, outcome))
             if not outcome.solved:
                 result.outcome = result.outcome or outcome
                 break
@@ -103,6 +118,8 @@ class Refiner:
             sampled = self._sample(problem, motion)
             clearance = _least(sampled)
             self.report(f"{name}, round {round_ + 1}", outcome.iterations, clearance)
+            close = sampled.worst_m < CARRY_M
+            previous = Answer(problem, outcome) if close else None
             spacing *= SHRINK
             if sampled.worst_m > -CLEAR_M:
                 before = sites
@@ -111,16 +128,18 @@ class Refiner:
                 if len(sites) > len(before):
                     continue
             self._verify(result, problem, outcome)
-            if result.verification is not None and result.verification.certified:
+            if result.certified:
                 break
             mesh, motion, sites = self._after(result, problem, motion, spacing, reach)
+            previous = previous if mesh == problem.mesh else None
         return result
 
-    def _solve(self, problem: Problem, motion: Motion) -> Outcome:
+    def _solve(self, problem: Problem, motion: Motion, previous: Answer | None) -> Outcome:
         left = max(self.deadline - time.monotonic(), 0.1)
-        solver = Solver.build(problem, "near", Budget(ITERATIONS, left))
+        preset = "near" if previous is None else "warm"
+        solver = Solver.build(problem, preset, Budget(ITERATIONS, left))
         start = Start(motion, exact_normals(problem.pairs))
-        return solver.solve(self.scenario, start, backoff_m=BACKOFF_M)
+        return solver.solve(self.scenario, start, backoff_m=BACKOFF_M, previous=previous)
 
     def _sample(self, problem: Problem, motion: Motion) -> SampledClearance:
         trajectory = trajectories(problem, motion)
@@ -177,7 +196,8 @@ def _least(sampled: SampledClearance) -> float | None:
     return float(np.min(real)) if real.size else None
 
 
-def _attempt(name: str, problem: Problem, outcome: Outcome) -> Attempt:
+def attempt(name: str, problem: Problem, outcome: Outcome) -> Attempt:
+    """The record of one solve."""
     return Attempt(
         guess=name,
         outcome=outcome.status,

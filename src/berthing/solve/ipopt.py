@@ -64,6 +64,25 @@ class Start:
 
 
 @dataclass(frozen=True)
+class Answer:
+    """A solve with the problem that it answers."""
+
+    problem: Problem
+    outcome: Outcome
+
+    def carried(self, other: Problem, x0: Array) -> dict[str, Array]:
+        """Start and multipliers for another problem on the same mesh, ``x0`` where it differs."""
+        mine, theirs = self.problem.layout, other.layout
+        return {
+            "x0": mine.variables.carry(self.outcome.x, theirs.variables, x0),
+            "lam_x0": mine.variables.carry(
+                self.outcome.bound_multipliers, theirs.variables, np.zeros(len(x0))
+            ),
+            "lam_g0": mine.rows.carry(self.outcome.multipliers, theirs.rows),
+        }
+
+
+@dataclass(frozen=True)
 class Solver:
     """One problem with its solver, built once and called many times."""
 
@@ -83,6 +102,8 @@ class Solver:
             # Bounds are kept as they are: relaxed ones would be missed by that much at the goal.
             "bound_relax_factor": 0.0,
             "max_wall_time": budget.wall_time_s, "linear_solver": "mumps",
+            # The rows are scaled already; AMD orders small systems as well as METIS, sooner.
+            "mumps_scaling": 0, "mumps_permuting_scaling": 0, "mumps_pivot_order": 0,
             **PRESETS[preset],
         }  # fmt: skip
         # Derivatives come with the problem; those of the parameters are nobody's business.
@@ -101,9 +122,11 @@ class Solver:
         start: Start,
         *,
         backoff_m: float,
-        previous: Outcome | None = None,
+        previous: Answer | None = None,
     ) -> Outcome:
-        """Solve from ``start``, or from ``previous`` with its multipliers.
+        """Solve from ``start``, or from ``previous`` on the same mesh, with its multipliers.
+
+        Rows and variables that ``previous`` does not have begin as ``start`` says.
 
         Raises:
             KeyboardInterrupt: Ctrl-C during the solve, which IPOPT itself swallows.
@@ -111,7 +134,7 @@ class Solver:
         problem = self.problem
         motion = start.motion
         parameters = problem.parameter_vector(scenario, backoff_m, motion.duration_s)
-        x0 = start.vector(problem, scenario) if previous is None else previous.x
+        x0 = start.vector(problem, scenario)
         lower, upper = problem.layout.variables.bounds()
         row_lower, row_upper = problem.layout.rows.bounds()
         arguments = {
@@ -119,7 +142,7 @@ class Solver:
             "lbg": row_lower, "ubg": row_upper,
         }  # fmt: skip
         if previous is not None:
-            arguments |= {"lam_x0": previous.bound_multipliers, "lam_g0": previous.multipliers}
+            arguments |= previous.carried(problem, x0)
         began = time.perf_counter()
         answer = self.function(**arguments)
         elapsed = time.perf_counter() - began

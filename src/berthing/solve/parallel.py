@@ -24,49 +24,84 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
 
 
+class SolvePool:
+    """Solves from many starts, in their order, at most so many at a time.
+
+    Leaving the context kills what still runs. Where there is one core, or no fork, a poll solves
+    one start itself.
+    """
+
+    def __init__(
+        self, solver: Solver, scenario: Scenario, starts: Sequence[Start], backoff_m: float
+    ) -> None:
+        self._solver, self._scenario = solver, scenario
+        self._starts, self._backoff_m = starts, backoff_m
+        self._queue = list(range(len(starts)))
+        self._running: dict[Connection, tuple[int, BaseProcess]] = {}
+
+    def __enter__(self) -> SolvePool:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for receiver, (_, child) in self._running.items():
+            child.kill()
+            child.join()
+            receiver.close()
+        self._running.clear()
+
+    @property
+    def busy(self) -> bool:
+        """Whether there is more to come."""
+        return bool(self._queue or self._running)
+
+    def poll(self, at_once: int, timeout_s: float | None) -> list[tuple[int, Outcome]]:
+        """Keep ``at_once`` solves running and hand over those that have ended.
+
+        Args:
+            timeout_s: how long to wait for one to end; None waits as long as it takes.
+
+        Returns:
+            (index of the start, outcome); a child that died without an answer is left out.
+        """
+        if cores() < 2 or not hasattr(os, "fork"):
+            return [self._solve_here()] if self._queue and timeout_s is None else []
+        while self._queue and len(self._running) < at_once:
+            self._launch(self._queue.pop(0))
+        found = []
+        for ready in wait(list(self._running), timeout_s):
+            assert isinstance(ready, Connection)
+            i, child = self._running.pop(ready)
+            outcome = _received(ready)
+            child.join()
+            if outcome is not None:
+                found.append((i, outcome))
+        return found
+
+    def _launch(self, i: int) -> None:
+        context = multiprocessing.get_context("fork")
+        receiver, sender = context.Pipe(duplex=False)
+        arguments = (sender, self._solver, self._scenario, self._starts[i], self._backoff_m)
+        child = context.Process(target=_child, args=arguments)
+        child.start()
+        sender.close()
+        self._running[receiver] = (i, child)
+
+    def _solve_here(self) -> tuple[int, Outcome]:
+        i = self._queue.pop(0)
+        start = self._starts[i]
+        return i, self._solver.solve(self._scenario, start, backoff_m=self._backoff_m)
+
+
 def solve_each(
     solver: Solver, scenario: Scenario, starts: Sequence[Start], backoff_m: float
 ) -> Iterator[tuple[int, Outcome]]:
-    """Solve from every start, in order as cores come free; yields (index, outcome) as they end.
+    """Solve from every start as cores come free; yields (index, outcome) as they end.
 
-    A child that dies without an answer is left out. Closing the iterator kills what still runs.
+    Closing the iterator kills what still runs.
     """
-    if cores() < 2 or len(starts) < 2 or not hasattr(os, "fork"):
-        for i, start in enumerate(starts):
-            yield i, solver.solve(scenario, start, backoff_m=backoff_m)
-        return
-    running: dict[Connection, tuple[int, BaseProcess]] = {}
-    queue = list(range(len(starts)))
-    try:
-        while queue or running:
-            while queue and len(running) < cores():
-                i = queue.pop(0)
-                receiver, child = _forked(solver, scenario, starts[i], backoff_m)
-                running[receiver] = (i, child)
-            for ready in wait(list(running)):
-                assert isinstance(ready, Connection)
-                i, child = running.pop(ready)
-                outcome = _received(ready)
-                child.join()
-                if outcome is not None:
-                    yield i, outcome
-    finally:
-        for _, child in running.values():
-            child.kill()
-            child.join()
-
-
-def _forked(
-    solver: Solver, scenario: Scenario, start: Start, backoff_m: float
-) -> tuple[Connection, BaseProcess]:
-    """A child at work on ``start``, and where its outcome will come from."""
-    context = multiprocessing.get_context("fork")
-    receiver, sender = context.Pipe(duplex=False)
-    child = context.Process(target=_child, args=(sender, solver, scenario, start, backoff_m))
-    child.start()
-    # The child has its own copy: with ours closed, its death is the end of the stream.
-    sender.close()
-    return receiver, child
+    with SolvePool(solver, scenario, starts, backoff_m) as pool:
+        while pool.busy:
+            yield from pool.poll(cores(), None)
 
 
 def _received(receiver: Connection) -> Outcome | None:

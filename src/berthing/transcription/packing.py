@@ -72,6 +72,18 @@ class Packing:
             upper[part] = ((block.upper - block.shift) / block.scale).ravel(order="F")
         return lower, upper
 
+    def carry(self, vector: Array, other: Packing, fallback: Array) -> Array:
+        """The stored vector of these blocks in the order of ``other``'s, which must scale alike;
+        ``fallback`` where a block of ``other`` is not among these."""
+        out = fallback.copy()
+        for block in other.blocks.values():
+            old = self.blocks.get(block.name)
+            if old is not None and old.shape == block.shape:
+                out[block.offset : block.offset + block.size] = vector[
+                    old.offset : old.offset + old.size
+                ]
+        return out
+
     def join(self, values: Mapping[str, npt.ArrayLike]) -> Array:
         """Physical arrays by name → stored vector. KeyError where a block is missing."""
         vector = np.empty(self.size)

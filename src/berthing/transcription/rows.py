@@ -17,12 +17,14 @@ class RowBlock:
     """Consecutive rows that share a label.
 
     Attributes:
+        key: the same in two programmes where the rows mean the same.
         label: (index within the block) → name, made only when asked for.
         unit_scale: multiply a row's violation by this to get the unit named.
     """
 
     offset: int
     size: int
+    key: str
     label: Callable[[int], str]
     unit_scale: float
     unit: str
@@ -46,11 +48,15 @@ class RowBook:
         *,
         unit_scale: float = 1.0,
         unit: str = "",
+        key: str = "",
     ) -> Index:
-        """Append ``count`` rows between ``lower`` and ``upper``; returns their indices."""
+        """Append ``count`` rows between ``lower`` and ``upper``; returns their indices.
+
+        Without a ``key`` the rows are known by their place.
+        """
         self._lower.append(np.array(np.broadcast_to(np.asarray(lower, np.float64), count)))
         self._upper.append(np.array(np.broadcast_to(np.asarray(upper, np.float64), count)))
-        block = RowBlock(self.size, count, label, unit_scale, unit)
+        block = RowBlock(self.size, count, key or f"#{len(self.blocks)}", label, unit_scale, unit)
         self.blocks.append(block)
         self.size += count
         return np.arange(block.offset, self.size)
@@ -60,6 +66,18 @@ class RowBook:
         if not self._lower:
             return np.empty(0), np.empty(0)
         return np.concatenate(self._lower), np.concatenate(self._upper)
+
+    def carry(self, values: Array, other: RowBook) -> Array:
+        """``values`` (size,) of these rows, on the rows of ``other``; zero where it has new ones."""
+        mine = {block.key: block for block in self.blocks}
+        out = np.zeros(other.size)
+        for block in other.blocks:
+            old = mine.get(block.key)
+            if old is not None and old.size == block.size:
+                out[block.offset : block.offset + block.size] = values[
+                    old.offset : old.offset + old.size
+                ]
+        return out
 
     def worst(self, values: Array) -> str:
         """Name of the row that ``values`` (size,) violates most, and by how much."""

@@ -52,6 +52,11 @@ def margin_name(phase: str) -> str:
     return f"{phase}/margins_m"
 
 
+def site_key(pair: Pair, site: Site) -> str:
+    """The same for one pair at one place of one mesh, whatever other sites there are."""
+    return f"{pair.name} at {site.segment}:{site.s!r}"
+
+
 def add_separation(
     layout: PhaseLayout,
     pairs: Sequence[Pair],
@@ -89,13 +94,13 @@ def _add_pair(
     for i, site in sites.items():
         fraction = layout.mesh.fraction(site.segment, site.s)
         block = layout.variables.add(
-            f"{layout.phase.name}/site{i}/{pair.name}", (len(variables), 1),
+            f"{layout.phase.name}/{site_key(pair, site)}", (len(variables), 1),
             lower=variables.lower, upper=variables.upper,
         )  # fmt: skip
         rows = layout.rows.add(
             len(kernel.lower), kernel.lower, kernel.upper,
             partial(_label, pair.label, layout.nominal_time(fraction)),
-            unit_scale=layout.scale.length_m, unit="m",
+            unit_scale=layout.scale.length_m, unit="m", key=site_key(pair, site),
         )  # fmt: skip
         columns["v"].append(block.indices.ravel())
         columns["margin"].append(margins.indices[i])
@@ -172,7 +177,8 @@ class _Places:
             scale=owner.scale.state[columns], shift=owner.scale.state_shift[columns],
         )  # fmt: skip
         time = layout.nominal_time(layout.mesh.fraction(site.segment, site.s))
-        rows = layout.rows.add(len(columns), 0.0, 0.0, partial(_lift_label, vehicle, time))
+        label = partial(_lift_label, vehicle, time)
+        rows = layout.rows.add(len(columns), 0.0, 0.0, label, key=name)
         # Weights sum to one, so that the shift is the same on both sides and drops out.
         layout.elements.add_linear(rows, block.indices.ravel(), -1.0)
         layout.elements.add_linear(
