@@ -45,7 +45,7 @@ LOOK_M = 2.0
 """Distances are exact up to this beyond the margin; further out a lower bound will do."""
 
 SAMPLES = 64
-"""To a segment. Dips shallower than CLEAR_M may hide between samples; the certificate finds them."""
+"""To a segment. Dips that hide between samples are found by the certificate."""
 
 CARRY_M = 5e-3
 """Multipliers are carried to the next round where the dips are shallower than this: after deep
@@ -155,7 +155,8 @@ class Refiner:
         self, result: Refinement, problem: Problem, motion: Motion, spacing: float, reach: float
     ) -> tuple[Mesh, Motion, list[Site]]:
         """Mesh, motion and sites of the next round, after what the verification found."""
-        assert result.plan is not None and result.verification is not None
+        assert result.plan is not None
+        assert result.verification is not None
         mesh, sites = problem.mesh, list(problem.separation.sites)
         index = {pair.name: i for i, pair in enumerate(problem.pairs)}
         dips = [

@@ -26,12 +26,18 @@ from berthing.transcription.scaling import PhaseScale, VehicleScale
 
 @dataclass(frozen=True)
 class VehicleLayout:
-    """One vehicle's blocks: states (nx, points) and controls (nu, controls)."""
+    """One vehicle's blocks.
+
+    Attributes:
+        state, control: blocks (nx, points) and (nu, controls).
+        pose_columns: the components of the state that the pose depends on.
+    """
 
     vehicle: Vehicle
     scale: VehicleScale
     state: Block
     control: Block
+    pose_columns: tuple[int, ...]
 
     @property
     def nx(self) -> int:
@@ -47,13 +53,6 @@ class VehicleLayout:
 
     def kinematics(self, x: Sym) -> Kinematics:
         return symbolic(self.vehicle.model).kinematics(self.vehicle.model, x)
-
-    def pose_columns(self) -> list[int]:
-        """The components of the state that the pose depends on."""
-        x = ca.SX.sym("x", self.nx)
-        body = self.kinematics(x)
-        pose = ca.vertcat(body.position, ca.vec(body.rotation))
-        return [int(i) for i in np.flatnonzero(ca.which_depends(pose, x, 1, False))]
 
 
 @dataclass(frozen=True)
@@ -147,7 +146,9 @@ def lay_out(
         control = variables.add(
             control_name(phase.name, vehicle.name), (nu, mesh.control_count), scale=unit.control
         )
-        vehicles[vehicle.name] = VehicleLayout(vehicle, unit, state, control)
+        vehicles[vehicle.name] = VehicleLayout(
+            vehicle, unit, state, control, _pose_columns(vehicle)
+        )
     frames = {
         structure.name: (
             parameters.add(f"{phase.name}/{structure.name}/position", (structure.dim, 1)),
@@ -159,3 +160,10 @@ def lay_out(
         phase, mesh, scale, t0_s, variables, parameters, RowBook(), Elements(), duration,
         vehicles, {s.name: s for s in structures}, frames,
     )  # fmt: skip
+
+
+def _pose_columns(vehicle: Vehicle) -> tuple[int, ...]:
+    x = ca.SX.sym("x", len(vehicle.model.state_names))
+    body = symbolic(vehicle.model).kinematics(vehicle.model, x)
+    pose = ca.vertcat(body.position, ca.vec(body.rotation))
+    return tuple(int(i) for i in np.flatnonzero(ca.which_depends(pose, x, 1, False)))

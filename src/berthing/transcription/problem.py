@@ -17,6 +17,7 @@ from berthing.scenario.pair import Pair
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.structure import Structure
+from berthing.scenario.vehicle import Vehicle
 from berthing.transcription.defects import add_cost, add_defects, quadrature
 from berthing.transcription.elements import Index
 from berthing.transcription.ends import add_ends, end_parameters
@@ -36,13 +37,16 @@ from berthing.transcription.separation import (
     SiteRows,
     add_separation,
     margin_name,
-    start_sites,
 )
 from berthing.transcription.sites import Site, site_margins, site_times
 
 DEFAULT_REGULARISER = 1e-3
 """Weight of the multipliers' mean square against a cost of order one: it picks one multiplier
 where many will do. At 1e-3 Scenario A's cost moves by less than 1e-6 of itself."""
+
+
+INACTIVE_MARGIN_M = -1e3
+"""Where a pair may touch: the row then holds with a zero normal."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +99,7 @@ class Problem:
         sites = list(self.separation.sites)
         times = site_times(sites, self.mesh, self.layout.t0_s, duration_s)
         margins = [
-            (0.0 if m is None else m) + backoff_m
+            INACTIVE_MARGIN_M if m is None else m + backoff_m
             for m in site_margins(scenario, phase, sites, times)
         ]
         values[margin_name(phase.name)] = np.array(margins or [0.0])
@@ -110,13 +114,14 @@ class Problem:
         for vehicle in self.phase.vehicles:
             values[state_name(name, vehicle.name)] = motion.states[vehicle.name]
             values[control_name(name, vehicle.name)] = motion.controls[vehicle.name]
-        poses_a, poses_b = self._site_poses(scenario, motion)
-        sites = self.separation.sites
-        starts = start_sites(self.formulations, sites, poses_a, poses_b, normals)
-        values.update(zip(self.separation.blocks, starts, strict=True))
-        for (owner, k, s), block in self.separation.lifted.items():
-            x = interpolate(self.mesh, motion.states[owner], k, s)
-            values[block] = x[self.layout.vehicles[owner].pose_columns()]
+        values.update(self._site_values(scenario, motion, normals))
+        for vehicle in self.phase.vehicles:
+            places = [place for place in self.separation.lifted if place[0] == vehicle.name]
+            x = states_at(self.mesh, motion.states[vehicle.name], [place[1:] for place in places])
+            columns = list(self.layout.vehicles[vehicle.name].pose_columns)
+            values.update(
+                {self.separation.lifted[p]: v for p, v in zip(places, x[:, columns], strict=True)}
+            )
         return self.layout.variables.join(values)
 
     def motion(self, x: Array, duration_s: float) -> Motion:
@@ -137,31 +142,45 @@ class Problem:
         power = sum(np.sum(u**2, axis=0) for u in motion.controls.values())
         return motion.duration_s * (cost.control_energy * float(weights @ power) + cost.time)
 
-    def _site_poses(self, scenario: Scenario, motion: Motion) -> tuple[list[Pose], list[Pose]]:
+    def _site_values(
+        self, scenario: Scenario, motion: Motion, normals: Normals
+    ) -> dict[str, Array]:
+        """Starting values of every site's own variables, by block."""
         sites = list(self.separation.sites)
         times = site_times(sites, self.mesh, self.layout.t0_s, motion.duration_s)
-        sides: tuple[list[Pose], list[Pose]] = ([], [])
-        for site, t in zip(sites, times, strict=True):
-            pair = self.pairs[site.pair]
-            for out, owner, part in (
-                (sides[0], pair.owner_a, pair.part_a),
-                (sides[1], pair.owner_b, pair.part_b),
-            ):
-                if isinstance(owner, Structure):
-                    structure = scenario.structure(owner.name)
-                    pose = structure.motion.pose(np.array([t]))[0]
-                else:
-                    x = interpolate(self.mesh, motion.states[owner.name], site.segment, site.s)
-                    pose = owner.model.pose(x)
-                out.append(pose.compose(part.placement))
-        return sides
+        values: dict[str, Array] = {}
+        for p, (pair, form) in enumerate(zip(self.pairs, self.formulations, strict=True)):
+            here = [i for i, site in enumerate(sites) if site.pair == p]
+            if not here:
+                continue
+            a, b = (
+                self._poses(scenario, motion, owner, [sites[i] for i in here], times[here])
+                .compose(part.placement)
+                for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
+            )  # fmt: skip
+            starts = form.start(a, b, normals(p, a, b))
+            values.update({self.separation.blocks[i]: v for i, v in zip(here, starts, strict=True)})
+        return values
+
+    def _poses(
+        self, scenario: Scenario, motion: Motion, owner: Vehicle | Structure,
+        sites: Sequence[Site], times_s: Array,
+    ) -> Pose:  # fmt: skip
+        if isinstance(owner, Structure):
+            return scenario.structure(owner.name).motion.pose(times_s)
+        places = [(site.segment, site.s) for site in sites]
+        return owner.model.pose(states_at(self.mesh, motion.states[owner.name], places))
 
 
-def interpolate(mesh: Mesh, states: Array, k: int, s: float) -> Array:
-    """State (nx,) at the local coordinate s of segment k from the states (nx, points)."""
-    nodes, offset = mesh.node_set(k), mesh.point_offset(k)
-    weights = interpolation_matrix(nodes.points, np.array([s]))[0]
-    return np.asarray(states[:, offset : offset + len(nodes.points)] @ weights)
+def states_at(mesh: Mesh, states: Array, places: Sequence[tuple[int, float]]) -> Array:
+    """States (n, nx) at n places (segment, local coordinate) from the states (nx, points)."""
+    out = np.empty((len(places), len(states)))
+    for k in {segment for segment, _ in places}:
+        here = [i for i, (segment, _) in enumerate(places) if segment == k]
+        nodes, offset = mesh.node_set(k), mesh.point_offset(k)
+        weights = interpolation_matrix(nodes.points, np.array([places[i][1] for i in here]))
+        out[here] = weights @ states[:, offset : offset + len(nodes.points)].T
+    return out
 
 
 def build(

@@ -68,7 +68,7 @@ class RowBook:
         return np.concatenate(self._lower), np.concatenate(self._upper)
 
     def carry(self, values: Array, other: RowBook) -> Array:
-        """``values`` (size,) of these rows, on the rows of ``other``; zero where it has new ones."""
+        """``values`` (size,) of these rows on those of ``other``; zero where it has new ones."""
         mine = {block.key: block for block in self.blocks}
         out = np.zeros(other.size)
         for block in other.blocks:

@@ -139,7 +139,7 @@ class _PairKernel:
             frame = layout.declare_frame(self.inputs, owner.name, t)
             return _placed(frame.position, frame.rotation, part.placement)
         vehicle = layout.vehicles[owner.name]
-        columns = vehicle.pose_columns()
+        columns = list(vehicle.pose_columns)
         scale = vehicle.scale
         values = self.inputs.variable(
             side, len(columns), scale.state[columns], scale.state_shift[columns]
@@ -156,7 +156,7 @@ class _Places:
     def __init__(self, layout: PhaseLayout) -> None:
         self.layout = layout
         self.names: dict[tuple[str, int, float], str] = {}
-        self.columns = {name: v.pose_columns() for name, v in layout.vehicles.items()}
+        self.columns = {name: list(v.pose_columns) for name, v in layout.vehicles.items()}
 
     def indices(self, vehicle: str, site: Site) -> Index:
         points, weights = self.layout.interpolation(site.segment, site.s)
@@ -202,27 +202,3 @@ def _label(pair: str, time_s: float, _: int) -> str:
 
 def _lift_label(vehicle: str, time_s: float, _: int) -> str:
     return f"interpolation[{vehicle}, t = {time_s:.1f} s]"
-
-
-def start_sites(
-    formulations: Sequence[PairFormulation],
-    sites: Sequence[Site],
-    poses_a: Sequence[Pose],
-    poses_b: Sequence[Pose],
-    normals: Normals,
-) -> list[Array]:
-    """Starting values of each site's variables from the poses of its two parts."""
-    values: list[Array] = [np.empty(0)] * len(sites)
-    for p, form in enumerate(formulations):
-        here = [i for i, site in enumerate(sites) if site.pair == p]
-        if not here:
-            continue
-        a, b = _stack([poses_a[i] for i in here]), _stack([poses_b[i] for i in here])
-        batch = form.start(a, b, normals(p, a, b))
-        for i, value in zip(here, batch, strict=True):
-            values[i] = value
-    return values
-
-
-def _stack(poses: Sequence[Pose]) -> Pose:
-    return Pose(np.stack([p.position for p in poses]), np.stack([p.rotation for p in poses]))
