@@ -48,7 +48,7 @@ def plan_command(
     scheme: Annotated[str | None, typer.Option(help="How time is discretised, e.g. lgr.")] = None,
     nodes: Annotated[int | None, typer.Option(help="Collocation nodes to begin with.")] = None,
     out: Annotated[
-        Path | None, typer.Option(help="The plan folder; plans/<scenario name> if not given.")
+        Path | None, typer.Option(help="The plan folder; plans/NAME of the scenario if not given.")
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace an older plan folder.")] = False,
     time_limit: Annotated[
