@@ -89,13 +89,15 @@ def _around(
     margin = scenario.margins.default_m
     lead = phase.vehicles[0]
     for name, body, pose in _obstacles(scenario, ends[lead.name], duration_s):
-        for label, _ in _sides(ends[lead.name].along):
+        # The frame of a body may lie anywhere; what is to be passed is its middle.
+        centre = _centre(body, pose)
+        for label, lead_side in _sides(ends[lead.name].along):
             middle: dict[str, tuple[Array, Array | None]] = {}
             for vehicle in phase.vehicles:
-                side = dict(_sides(ends[vehicle.name].along))[label]
+                # A vehicle that goes another way has other sides; it takes the first one's then.
+                side = dict(_sides(ends[vehicle.name].along)).get(label, lead_side)
                 reach = body_support(body, pose, side)
                 size = body_support(vehicle.body, Pose.identity(vehicle.dim), -side)
-                centre = pose.position
                 offset = reach - side @ centre + size + margin
                 middle[vehicle.name] = (centre + offset * side, None)
             out.append(_guess(f"{label} past {name}", phase, ends, middle))
@@ -160,9 +162,7 @@ def _random(
             end = ends[vehicle.name]
             corners = [end.r0, end.r1]
             for _, body, pose in _obstacles(scenario, end, duration_s):
-                for axis in np.eye(vehicle.dim):
-                    corners.append(axis * body_support(body, pose, axis))
-                    corners.append(-axis * body_support(body, pose, -axis))
+                corners += _box(body, pose)
             low, high = np.min(corners, axis=0), np.max(corners, axis=0)
             position = rng.uniform(low - 1.0, high + 1.0)
             q = rng.normal(size=4)
@@ -179,16 +179,19 @@ def _obstacles(scenario: Scenario, end: _Ends, duration_s: float) -> list[tuple[
         centre = _centre(structure.body, pose)
         along = np.clip((centre - end.r0) @ end.along, 0.0, np.linalg.norm(end.r1 - end.r0))
         distance = float(np.linalg.norm(centre - end.r0 - along * end.along))
-        found.append((distance, structure.name, structure.body, Pose(centre, pose.rotation), pose))
+        found.append((distance, structure.name, structure.body, pose))
     found.sort(key=lambda item: item[0])
-    return [(name, body, pose) for _, name, body, _, pose in found[:MAX_OBSTACLES]]
+    return [(name, body, pose) for _, name, body, pose in found[:MAX_OBSTACLES]]
 
 
 def _centre(body: Body, pose: Pose) -> Array:
+    return np.asarray(np.mean(_box(body, pose), axis=0))
+
+
+def _box(body: Body, pose: Pose) -> list[Array]:
+    """The lower and the upper corner (d,) of a placed body's box along the inertial axes."""
     axes = np.eye(body.dim)
-    return np.array(
-        [0.5 * (body_support(body, pose, a) - body_support(body, pose, -a)) for a in axes]
-    )
+    return [np.array([sign * body_support(body, pose, sign * a) for a in axes]) for sign in (-1, 1)]
 
 
 def body_support(body: Body, pose: Pose, n: Array) -> float:

@@ -67,7 +67,8 @@ class PairFormulation(ABC):
         Args:
             v: the block's variables (k,).
             pose_a, pose_b: position (d,) and rotation (d, d) of each set's own frame.
-            margin_m: the distance to keep, a number or an expression.
+            margin_m: the distance to keep, a number or an expression; above zero, for at zero or
+                less the rows ask for nothing.
             length_m: the length that the separation row is divided by.
         """
 

@@ -43,7 +43,7 @@ class SolvePool:
         return self
 
     def __exit__(self, *_: object) -> None:
-        for receiver, (_, child) in self._running.items():
+        for receiver, (_index, child) in self._running.items():
             child.kill()
             child.join()
             receiver.close()

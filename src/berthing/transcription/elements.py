@@ -78,9 +78,16 @@ class Elements:
         self, kernel: Kernel, z: npt.ArrayLike, p: npt.ArrayLike, c: npt.ArrayLike,
         rows: npt.ArrayLike,
     ) -> None:  # fmt: skip
-        """Append elements of ``kernel``, one a line of the index arrays."""
+        """Append elements of ``kernel``, one a line of the index arrays.
+
+        Raises:
+            ValueError: a line of ``z`` names a variable twice; the upper triangle of the element's
+                Hessian would then hold only one of two equal terms.
+        """
         z = np.atleast_2d(np.asarray(z, dtype=np.int64))
         n = len(z)
+        if np.any(np.diff(np.sort(z, axis=1), axis=1) == 0):
+            raise ValueError("an element names a variable twice")
         sizes = kernel.sizes
         self.batches.append(
             Batch(

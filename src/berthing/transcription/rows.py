@@ -81,12 +81,11 @@ class RowBook:
 
     def worst(self, values: Array) -> str:
         """Name of the row that ``values`` (size,) violates most, and by how much."""
+        if not self.size:
+            return "no rows"
         lower, upper = self.bounds()
         violation = np.maximum(np.maximum(lower - values, values - upper), 0.0)
         i = int(np.argmax(violation))
-        for block in self.blocks:
-            if block.offset <= i < block.offset + block.size:
-                amount = violation[i] * block.unit_scale
-                name = block.label(i - block.offset)
-                return f"{name} short by {amount:.3g} {block.unit}".rstrip()
-        return "no rows"
+        block = next(b for b in self.blocks if b.offset <= i < b.offset + b.size)
+        amount = violation[i] * block.unit_scale
+        return f"{block.label(i - block.offset)} short by {amount:.3g} {block.unit}".rstrip()
