@@ -189,7 +189,10 @@ def _added(size: int, index: Index, values: Sym) -> Sym:
 
 
 def _sparse(rows: int, columns: int, i: Index, j: Index, values: Array) -> Sym:
-    return ca.DM.triplet(i.tolist(), j.tolist(), ca.DM(values), rows, columns)
+    # casadi keeps one of several values at a place; here they add up.
+    keys, position = np.unique(j * rows + i, return_inverse=True)
+    sums = np.bincount(position, values, minlength=len(keys))
+    return ca.DM.triplet((keys % rows).tolist(), (keys // rows).tolist(), sums, rows, columns)
 
 
 def _pattern(sparsity: Sym) -> tuple[Index, Index]:
