@@ -37,7 +37,7 @@ class Segment:
 
     def local(self, t: Array) -> Array:
         """Map times [t0, t1] → [-1, 1]."""
-        return (2.0 * t - self.t0_s - self.t1_s) / (self.t1_s - self.t0_s)
+        return np.asarray((2.0 * t - self.t0_s - self.t1_s) / (self.t1_s - self.t0_s))
 
 
 def evaluate(coefficients: Array, s: Array) -> Array:
