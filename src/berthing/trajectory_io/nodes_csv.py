@@ -1,0 +1,82 @@
+"""nodes.csv: what the solver held at its own nodes, costates included."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+
+from berthing.errors import InputError
+from berthing.scenario.scenario import Scenario
+from berthing.trajectory import VehicleNodes
+from berthing.trajectory_io.columns import HEADER, native_columns
+from berthing.trajectory_io.tables import Row, column, read_table, rows_of, write_table
+
+COSTATE = "costate_"
+
+
+def write_nodes(path: Path, scenario: Scenario, nodes: Sequence[VehicleNodes]) -> None:
+    """Write the nodes of every vehicle and phase.
+
+    The columns are those of trajectory.csv, but filled with native values only (a quaternion as
+    the solver held it), then ``phase`` and a costate for every native state.
+    """
+    header = (*HEADER, *native_columns(scenario), "phase", *_costate_columns(scenario))
+    rows: list[list[str]] = []
+    for own in nodes:
+        model = scenario.phase(own.phase).vehicle(own.vehicle).model
+        names = (*model.state_names, *model.control_names, *_costates(model.state_names))
+        values = np.hstack([own.states, own.controls, own.costates]).T
+        rows += rows_of(
+            header,
+            {"vehicle": own.vehicle, "phase": own.phase},
+            {"t_s": own.times_s, **dict(zip(names, values, strict=True))},
+        )
+    write_table(path, header, rows)
+
+
+def read_nodes(path: Path, scenario: Scenario) -> tuple[VehicleNodes, ...]:
+    """Read it back; empty cells become NaN.
+
+    Raises:
+        InputError: missing or malformed, a phase or vehicle that the scenario has not, a time or
+            state that is missing.
+    """
+    where = str(path)
+    header, rows = read_table(path)
+    for name in ("t_s", "vehicle", "phase"):
+        if name not in header:
+            raise InputError(where, f"has no column {name!r}")
+    groups: dict[tuple[str, str], list[Row]] = {}
+    for row in rows:
+        groups.setdefault((row["phase"], row["vehicle"]), []).append(row)
+    return tuple(_nodes(scenario, *key, own, where) for key, own in groups.items())
+
+
+def _nodes(
+    scenario: Scenario, phase: str, vehicle: str, rows: Sequence[Row], where: str
+) -> VehicleNodes:
+    model = scenario.phase(phase).vehicle(vehicle).model
+    times, states, controls, costates = (
+        np.stack([column(rows, name, where) for name in names], axis=-1)
+        for names in (
+            ("t_s",),
+            model.state_names,
+            model.control_names,
+            _costates(model.state_names),
+        )
+    )
+    if np.any(np.isnan(times)) or np.any(np.isnan(states)):
+        raise InputError(where, f"lacks a time or a state of {vehicle!r}")
+    return VehicleNodes(phase, vehicle, times[:, 0], states, controls, costates)
+
+
+def _costates(state_names: Sequence[str]) -> tuple[str, ...]:
+    return tuple(COSTATE + name for name in state_names)
+
+
+def _costate_columns(scenario: Scenario) -> tuple[str, ...]:
+    models = [v.model for phase in scenario.phases for v in phase.vehicles]
+    return tuple(dict.fromkeys(chain.from_iterable(_costates(m.state_names) for m in models)))

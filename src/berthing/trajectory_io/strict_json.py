@@ -1,0 +1,123 @@
+"""JSON that is what it says: an object, finite numbers, keys that must be there."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NoReturn
+
+import numpy as np
+
+from berthing.errors import InputError
+from berthing.geometry.arrays import Array
+
+# A plan of a hundred vehicles with a thousand segments each stays below; more is not a plan.
+LARGEST_FILE_BYTES = 1 << 28
+
+
+def read_text(path: Path) -> str:
+    """The text of a UTF-8 file.
+
+    Raises:
+        InputError: the file is missing, unreadable, too large or not UTF-8.
+    """
+    where = str(path)
+    try:
+        if path.stat().st_size > LARGEST_FILE_BYTES:
+            raise InputError(where, "is too large", f"at most {LARGEST_FILE_BYTES >> 20} MiB")
+        return path.read_bytes().decode("utf-8")
+    except FileNotFoundError:
+        raise InputError(where, "is missing") from None
+    except OSError as error:
+        raise InputError(where, f"cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(where, "is not UTF-8 text") from None
+
+
+def read_object(path: Path) -> dict[str, Any]:
+    """The JSON object in a file; NaN and infinities, which JSON has not, are refused.
+
+    Raises:
+        InputError: anything else.
+    """
+    where = str(path)
+    try:
+        value = json.loads(read_text(path), parse_constant=lambda name: _refuse(where, name))
+    except json.JSONDecodeError as error:
+        raise InputError(where, f"is not JSON: {error.msg}, line {error.lineno}") from None
+    except RecursionError:
+        raise InputError(where, "is nested too deeply") from None
+    except ValueError:
+        # An integer of more digits than Python converts.
+        raise InputError(where, "contains a number that cannot be read") from None
+    if not isinstance(value, dict):
+        raise InputError(where, "is not a JSON object")
+    return value
+
+
+def _refuse(where: str, name: str) -> NoReturn:
+    raise InputError(where, f"contains {name}", "finite numbers")
+
+
+def text(parent: Mapping[str, Any], key: str, where: str) -> str:
+    """The string under ``key``; InputError where it is missing or another thing."""
+    value = _present(parent, key, where)
+    if not isinstance(value, str):
+        raise InputError(f"{where}.{key}", "is not a string")
+    return value
+
+
+def names(parent: Mapping[str, Any], key: str, where: str) -> tuple[str, ...]:
+    """The list of strings under ``key``."""
+    value = _present(parent, key, where)
+    if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
+        raise InputError(f"{where}.{key}", "is not a list of names")
+    return tuple(value)
+
+
+def objects(parent: Mapping[str, Any], key: str, where: str) -> list[dict[str, Any]]:
+    """The list of objects under ``key``, not empty."""
+    value = _present(parent, key, where)
+    if not isinstance(value, list) or not value or not all(isinstance(v, dict) for v in value):
+        raise InputError(f"{where}.{key}", "is not a list of objects", "one or more objects")
+    return value
+
+
+def number(parent: Mapping[str, Any], key: str, where: str) -> float:
+    """The finite number under ``key``."""
+    return float(array(parent, key, 0, where))
+
+
+def whole(parent: Mapping[str, Any], key: str, where: str) -> int:
+    """The integer under ``key``."""
+    value = _present(parent, key, where)
+    if not isinstance(value, int) or isinstance(value, bool):
+        raise InputError(f"{where}.{key}", "is not a whole number")
+    return value
+
+
+def array(parent: Mapping[str, Any], key: str, ndim: int, where: str) -> Array:
+    """The finite numbers under ``key``, nested ``ndim`` deep and not ragged."""
+    place = f"{where}.{key}"
+    value = _present(parent, key, where)
+    try:
+        found = np.array(value)
+    except ValueError:
+        raise InputError(place, "is ragged") from None
+    if found.ndim != ndim or found.size == 0 or found.dtype.kind not in "iuf":
+        raise InputError(place, "is not of the right kind", _kind(ndim))
+    numbers = found.astype(np.float64)
+    if not np.all(np.isfinite(numbers)):
+        raise InputError(place, "contains an infinite value", "finite numbers")
+    return numbers
+
+
+def _kind(ndim: int) -> str:
+    return ("a number", "a list of numbers", "a list of lists of numbers")[ndim]
+
+
+def _present(parent: Mapping[str, Any], key: str, where: str) -> Any:
+    if key not in parent:
+        raise InputError(where, f"lacks {key!r}")
+    return parent[key]

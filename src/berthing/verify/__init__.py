@@ -1,0 +1,1 @@
+"""Independent checks of a plan: the clearance certificate, replay, limits, ends, optimality."""

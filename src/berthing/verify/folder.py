@@ -1,0 +1,109 @@
+"""Checking a plan folder from its files alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from berthing.errors import InputError
+from berthing.scenario.files import from_document
+from berthing.scenario.normal import document_sha256
+from berthing.scenario.scenario import Scenario
+from berthing.trajectory import Plan
+from berthing.trajectory_io import (
+    Interpolant,
+    read_interpolant,
+    read_nodes,
+    read_object,
+    read_trajectory,
+)
+from berthing.trajectory_io.strict_json import number, text, whole
+from berthing.verify.agreement import node_faults, table_faults
+from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
+from berthing.verify.verification import Verification, verify
+
+PLAN_JSON, INTERPOLANT_JSON = "plan.json", "interpolant.json"
+NODES_CSV, TRAJECTORY_CSV = "nodes.csv", "trajectory.csv"
+SCHEMA_VERSION = 1
+
+
+def verify_folder(
+    folder: str | Path, *, settings: CertificateSettings = DEFAULT_CERTIFICATE
+) -> Verification:
+    """Check the plan in a folder: the trajectory, and that its files agree with each other.
+
+    What plan.json itself claims of the plan is not believed.
+
+    Raises:
+        InputError: a file is missing, malformed or of another schema, or the plan does not belong
+            to its scenario.
+        CapabilityError: a model, motion or shape that the checks do not know.
+    """
+    scenario, plan, faults = _read(Path(folder))
+    table = read_trajectory(Path(folder) / TRAJECTORY_CSV)
+    verification = verify(scenario, plan, settings=settings)
+    return verification.with_reasons(
+        [*faults, *table_faults(scenario, plan, table), *node_faults(plan)]
+    )
+
+
+def read_plan(folder: str | Path) -> tuple[Scenario, Plan]:
+    """The scenario and the plan in a folder, unchecked.
+
+    Raises:
+        InputError: as for ``verify_folder``.
+    """
+    scenario, plan, _ = _read(Path(folder))
+    return scenario, plan
+
+
+def _read(folder: Path) -> tuple[Scenario, Plan, list[str]]:
+    if not folder.is_dir():
+        raise InputError(str(folder), "is not a folder", "a plan folder")
+    record, where = read_object(folder / PLAN_JSON), str(folder / PLAN_JSON)
+    version = whole(record, "schema_version", where)
+    if version != SCHEMA_VERSION:
+        raise InputError(f"{where}.schema_version", f"is {version}", str(SCHEMA_VERSION))
+    document = record.get("scenario")
+    if not isinstance(document, dict):
+        raise InputError(f"{where}.scenario", "is not a scenario", "the whole scenario")
+    scenario = from_document(document, f"{where}.scenario")
+    interpolant = read_interpolant(folder / INTERPOLANT_JSON)
+    plan = Plan(
+        scenario.name,
+        interpolant.phases,
+        read_nodes(folder / NODES_CSV, scenario),
+        text(record, "formulation", where),
+        text(record, "scheme", where),
+        number(record, "cost", where),
+        whole(record, "iterations", where),
+        whole(record, "seed", where),
+        _backoff(record, where),
+    )
+    return scenario, plan, _identity_faults(record, document, interpolant, where)
+
+
+def _backoff(record: Mapping[str, Any], where: str) -> float:
+    verification = record.get("verification")
+    if not isinstance(verification, dict):
+        raise InputError(f"{where}.verification", "is not an object")
+    return number(verification, "backoff_m", f"{where}.verification")
+
+
+def _identity_faults(
+    record: Mapping[str, Any], document: Mapping[str, Any], interpolant: Interpolant, where: str
+) -> list[str]:
+    """The scenario in plan.json must be the one that the trajectory was planned for."""
+    try:
+        found = document_sha256(document)
+    except ValueError:
+        raise InputError(f"{where}.scenario", "holds text that is not Unicode") from None
+    said = {INTERPOLANT_JSON: interpolant.scenario_sha256}
+    if "scenario_sha256" in record:
+        said[PLAN_JSON] = text(record, "scenario_sha256", where)
+    return [
+        f"scenario: {name} was made for the scenario {sha[:12]}…, plan.json holds {found[:12]}…"
+        for name, sha in said.items()
+        if sha != found
+    ]

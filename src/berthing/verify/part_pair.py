@@ -1,0 +1,77 @@
+"""One pair of convex parts as the certificate sees it: balls, and exact queries at instants."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from berthing.clearance.separation import PairQuery
+from berthing.geometry.arrays import Array
+from berthing.geometry.body import Part
+from berthing.geometry.capability import HasVertices
+from berthing.geometry.convex_set import ConvexSet
+from berthing.geometry.pose import Pose
+from berthing.verify.frames import lifted
+from berthing.verify.pair_motion import RelativePose
+
+
+@dataclass(frozen=True)
+class Ball:
+    """A ball that holds a part: centre (3,) in the body's frame, radius in m."""
+
+    centre: Array
+    radius: float
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Queries (k,): distance (m), unit normal from A to B (k, 3) in B's frame, plane bound (m)."""
+
+    distance: Array
+    normal: Array
+    bound: Array
+
+
+class PartPair:
+    """A part of A and one of B, in the frame of body B."""
+
+    def __init__(self, part_a: Part, part_b: Part) -> None:
+        self.part_a, self.part_b = part_a, part_b
+        self.ball_a, self.ball_b = enclosing_ball(part_a), enclosing_ball(part_b)
+        self._query: PairQuery | None = None
+
+    def sample(self, pose: RelativePose) -> Samples:
+        """Query at A's frames (k,) in B's. A bound that is not a number becomes −∞."""
+        if self._query is None:
+            # Made on the first use: most pairs of large bodies are never near each other.
+            self._query = PairQuery(self.part_a.shape, self.part_b.shape)
+        dim, placement = self.part_a.shape.dim, self.part_a.placement
+        rotation = pose.rotation[:, :dim, :dim]
+        poses = Pose(
+            pose.position[:, :dim] + rotation @ placement.position, rotation @ placement.rotation
+        )
+        distance, normal, bound = self._query.batch(poses, self.part_b.placement)
+        bound = np.where(np.isfinite(bound), bound, -np.inf)
+        return Samples(distance, lifted(normal), bound)
+
+
+def enclosing_ball(part: Part) -> Ball:
+    """A ball about the middle of the part's extents along its own axes.
+
+    The middle, not the shape's origin: a polytope may lie far from its origin, and all bounds on
+    turning are proportional to the radius.
+    """
+    shape = part.shape
+    axes = np.eye(shape.dim)
+    upper, lower = shape.support(axes)[0], -shape.support(-axes)[0]
+    middle = 0.5 * (upper + lower)
+    centre = part.placement.apply(middle)
+    return Ball(lifted(centre), _radius(shape, middle, 0.5 * (upper - lower)))
+
+
+def _radius(shape: ConvexSet, middle: Array, half: Array) -> float:
+    if isinstance(shape, HasVertices):
+        return float(np.max(np.linalg.norm(shape.vertices() - middle, axis=1)))
+    about_origin = shape.bounding_radius + float(np.linalg.norm(middle))
+    return min(float(np.linalg.norm(half)), about_origin)

@@ -1,0 +1,214 @@
+"""All checks of a plan together, and the one verdict."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from berthing.geometry.arrays import Array
+from berthing.scenario.phase import Phase
+from berthing.scenario.scenario import Scenario
+from berthing.trajectory import PhaseTrajectory, Plan, VehicleNodes
+from berthing.verify.boundary import EndErrors, end_errors
+from berthing.verify.certificate import Certificate, certify, without_proof
+from berthing.verify.continuity import (
+    clock_faults,
+    continuity_faults,
+    gap_faults,
+    linkage_faults,
+)
+from berthing.verify.fit import require_fit
+from berthing.verify.limits import Excess, excesses
+from berthing.verify.optimality import hamiltonian, relative_drift
+from berthing.verify.replay import Replay, replay
+from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
+from berthing.verify.verdict import UNDECIDED, PairVerdict
+
+INDEPENDENT = "independent"
+
+
+@dataclass(frozen=True)
+class Verification:
+    """What is known of a plan, apart from the solver.
+
+    Attributes:
+        clearance_lower_bound_m: proven for every pair at every instant at which its margin is the
+            scenario's default or more; +∞ where there is nothing to keep clear of, −∞ where
+            nothing is proven. Where overrides lower a margin, ``pairs`` says what is proven.
+        required_clearance_m: the default margin.
+        backoff_m: what the planner added to the margins; recorded, not checked.
+        closest_pair, closest_time_s, closest_distance_m: of the least distance met while a margin
+            holds; None where there is no pair. The true minimum may lie a little below.
+        replay_position_error_m, replay_attitude_error_rad: the largest over all vehicles and
+            instants between the interpolant and the dynamics flown under its controls.
+        hamiltonian_relative_drift: (max − min)/mean|H| at the nodes, the worst phase; None
+            without costates.
+        limits_ok: controls, states and quaternion norms stay within their limits between nodes.
+        model_check: ``independent``: the equations of motion used here are not the solver's.
+        certified: nothing was found wrong, and all that must be proven is.
+        reasons: why not; each names what, where, when and by how much.
+        pairs: a verdict for every pair and phase.
+        ends: how far start and goal are missed. replays: of each vehicle and phase.
+        hamiltonian: phase, times (k,) and values (k,) at the nodes.
+    """
+
+    clearance_lower_bound_m: float
+    required_clearance_m: float
+    backoff_m: float
+    closest_pair: str | None
+    closest_time_s: float | None
+    closest_distance_m: float | None
+    replay_position_error_m: float
+    replay_attitude_error_rad: float
+    hamiltonian_relative_drift: float | None
+    limits_ok: bool
+    model_check: str
+    certified: bool
+    reasons: tuple[str, ...]
+    pairs: tuple[PairVerdict, ...]
+    ends: tuple[EndErrors, ...]
+    replays: tuple[Replay, ...]
+    hamiltonian: tuple[tuple[str, Array, Array], ...]
+
+    @property
+    def undecided(self) -> bool:
+        """Whether all that is missing is the decision on pairs that may well be clear."""
+        return not self.certified and len(self.reasons) == sum(
+            pair.verdict == UNDECIDED for pair in self.pairs
+        )
+
+    def with_reasons(self, more: Iterable[str]) -> Verification:
+        """The same, found wanting for more reasons."""
+        reasons = (*self.reasons, *more)
+        return replace(self, reasons=reasons, certified=self.certified and not reasons)
+
+    def to_json(self) -> dict[str, Any]:
+        """As plan.json holds it; what is not finite becomes null."""
+        whole = asdict(self)
+        del whole["hamiltonian"]
+        found: dict[str, Any] = _finite(whole)
+        return found
+
+
+def verify(
+    scenario: Scenario,
+    plan: Plan,
+    *,
+    backoff_m: float | None = None,
+    settings: CertificateSettings = DEFAULT_CERTIFICATE,
+) -> Verification:
+    """Check a plan against its scenario, sharing nothing with the solver.
+
+    Args:
+        backoff_m: to record in place of the plan's own.
+
+    Raises:
+        InputError: the plan does not belong to the scenario (phases, vehicles, columns), or its
+            numbers are not finite.
+        CapabilityError: a model, motion or shape that the checks do not know.
+    """
+    require_fit(scenario, plan)
+    with np.errstate(all="ignore"):
+        # Absurd coefficients may overflow; what is not a number proves nothing here.
+        backoff = plan.backoff_m if backoff_m is None else backoff_m
+        return _verify(scenario, plan, settings, backoff)
+
+
+@dataclass(frozen=True)
+class _PhaseFindings:
+    certificate: Certificate
+    ends: list[EndErrors]
+    replays: list[Replay]
+    excesses: list[Excess]
+    hamiltonian: tuple[str, Array, Array]
+
+    @property
+    def reasons(self) -> list[str]:
+        return [
+            *self.certificate.notes,
+            *(pair.reason for pair in self.certificate.verdicts if pair.reason),
+            *(reason for end in self.ends for reason in end.reasons),
+            *(reason for own in self.replays for reason in own.reasons),
+            *(excess.reason for excess in self.excesses),
+        ]
+
+
+def _phase_findings(
+    scenario: Scenario,
+    phase: Phase,
+    trajectory: PhaseTrajectory,
+    nodes: Sequence[VehicleNodes],
+    settings: CertificateSettings,
+) -> _PhaseFindings:
+    # Pieces that overlap or leave gaps are no motion: nothing is proven of them.
+    sound = not any(gap_faults(own) for own in trajectory.vehicles)
+    vehicles = [(phase.vehicle(own.vehicle), own) for own in trajectory.vehicles]
+    return _PhaseFindings(
+        certify(scenario, phase, trajectory, settings)
+        if sound
+        else without_proof(scenario, phase, trajectory),
+        end_errors(scenario, phase, trajectory),
+        [replay(vehicle.model, own) for vehicle, own in vehicles] if sound else [],
+        [excess for vehicle, own in vehicles for excess in excesses(vehicle, own)],
+        (phase.name, *hamiltonian(phase, nodes)),
+    )
+
+
+def _verify(
+    scenario: Scenario, plan: Plan, settings: CertificateSettings, backoff_m: float
+) -> Verification:
+    found = [
+        _phase_findings(
+            scenario, phase, own, [n for n in plan.nodes if n.phase == phase.name], settings
+        )
+        for phase, own in zip(scenario.phases, plan.phases, strict=True)
+    ]
+    replays = tuple(r for f in found for r in f.replays)
+    closest = min(
+        (f.certificate.closest for f in found if f.certificate.closest),
+        key=lambda least: least[2],
+        default=(None, None, None),
+    )
+    drifts = [relative_drift(f.hamiltonian[2]) for f in found]
+    reasons = (
+        *clock_faults(scenario, plan.phases),
+        *(fault for p in plan.phases for own in p.vehicles for fault in continuity_faults(own)),
+        *(fault for pair in pairwise(plan.phases) for fault in linkage_faults(*pair)),
+        *(reason for f in found for reason in f.reasons),
+    )
+    return Verification(
+        clearance_lower_bound_m=min(
+            f.certificate.bound_where_required(scenario.margins.default_m) for f in found
+        ),
+        required_clearance_m=scenario.margins.default_m,
+        backoff_m=backoff_m,
+        closest_pair=closest[0],
+        closest_time_s=closest[1],
+        closest_distance_m=closest[2],
+        replay_position_error_m=max((r.position_error_m for r in replays), default=math.inf),
+        replay_attitude_error_rad=max((r.attitude_error_rad for r in replays), default=math.inf),
+        hamiltonian_relative_drift=max((d for d in drifts if d is not None), default=None),
+        limits_ok=not any(f.excesses for f in found),
+        model_check=INDEPENDENT,
+        certified=not reasons,
+        reasons=reasons,
+        pairs=tuple(v for f in found for v in f.certificate.verdicts),
+        ends=tuple(e for f in found for e in f.ends),
+        replays=replays,
+        hamiltonian=tuple(f.hamiltonian for f in found),
+    )
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, Mapping):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(item) for item in value]
+    return value
