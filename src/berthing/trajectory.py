@@ -42,7 +42,9 @@ class Segment:
 
 def evaluate(coefficients: Array, s: Array) -> Array:
     """Values (k, n) at the local coordinates s (k,) of the coefficients (degree + 1, n)."""
-    return chebyshev.chebval(s, coefficients).T if len(s) else np.empty((0, coefficients.shape[1]))
+    if not len(s):
+        return np.empty((0, coefficients.shape[1]))
+    return np.asarray(chebyshev.chebval(s, coefficients).T, dtype=np.float64)
 
 
 def derivative(coefficients: Array, span_s: float) -> Array:
