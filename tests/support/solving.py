@@ -58,10 +58,16 @@ def start_of(problem: Problem, number: int = 0) -> Start:
 
 
 def solved(
-    scenario: Scenario, segments: int = 4, degree: int = 4, *, guess: int = 0, iterations: int = 300
+    scenario: Scenario,
+    segments: int = 4,
+    degree: int = 4,
+    *,
+    guess: int = 0,
+    sites: list[Site] | None = None,
+    iterations: int = 300,
 ) -> Solved:
     """The solver's answer from a guess, whatever its status."""
-    problem = posed(scenario, segments, degree)
+    problem = posed(scenario, segments, degree, sites)
     solver = Solver.build(problem, "cold", Budget(iterations))
     outcome = solver.solve(scenario, start_of(problem, guess), backoff_m=BACKOFF_M)
     return Solved(problem, outcome)
