@@ -259,7 +259,7 @@ def write_folder(folder: Path, whole: Scenario, made: Plan) -> None:
     write_trajectory(folder / "trajectory.csv", whole, made.phases)
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def make() -> SimpleNamespace:
     """The builders of this file."""
     return SimpleNamespace(

@@ -1,6 +1,7 @@
 """A folder is judged by its files alone, and bad files are bad input, never a crash."""
 
 import json
+import shutil
 from contextlib import suppress
 from pathlib import Path
 
@@ -15,10 +16,17 @@ from berthing.verify.folder import read_plan, verify_folder
 FILES = ("plan.json", "interpolant.json", "nodes.csv", "trajectory.csv")
 
 
+@pytest.fixture(scope="module")
+def template(make, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("template")
+    make.write_folder(path, *make.document_plan())
+    return path
+
+
 @pytest.fixture
-def folder(make, tmp_path: Path) -> Path:
-    make.write_folder(tmp_path, *make.document_plan())
-    return tmp_path
+def folder(template: Path, tmp_path: Path) -> Path:
+    """A sound plan folder, to be spoilt."""
+    return Path(shutil.copytree(template, tmp_path / "plan"))
 
 
 def edited(path: Path, change) -> None:

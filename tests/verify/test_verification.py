@@ -176,6 +176,7 @@ FOREIGN = {
     "model": lambda own: replace(own, model="point-mass"),
     "columns": lambda own: replace(own, state_names=own.state_names[::-1]),
     "interpolation": lambda own: replace(own, control_interpolation="spline"),
+    "controls": lambda own: replace(own, control_interpolation="linear"),
     "empty": lambda own: replace(own, segments=()),
     "shape": first_segment(state=np.ones((3, 12))),
     "NaN": first_segment(state=np.full((3, 13), np.nan)),

@@ -20,7 +20,7 @@ class Bisection:
 
     Each level works on all open intervals at once: first the second-order bound, from what is
     known at their ends; then one query at each middle and the first-order bound; what neither
-    proves is split there.
+    proves is split.
     """
 
     def __init__(
@@ -93,27 +93,39 @@ class Bisection:
         return left
 
     def _split(self, open_: Intervals, value: Array, normal: Array) -> Intervals:
+        """Quarters, with what is known at their ends; ``value`` and ``normal`` at the middles.
+
+        Quarters rather than halves: a round of array operations costs as much as 200 queries.
+        """
         if not len(open_):
             return open_
-        open_ = self._with_ends(open_)
         middle = 0.5 * (open_.t0 + open_.t1)
-        values = np.column_stack([open_.values[:, 0], value, open_.values[:, 1]])
-        normals = np.stack([open_.normals[:, 0], normal, open_.normals[:, 1]], axis=1)
-        pair, required = open_.pair, open_.required
-        early = Intervals(pair, open_.t0, middle, required, values[:, :2], normals[:, :2])
-        late = Intervals(pair, middle, open_.t1, required, values[:, 1:], normals[:, 1:])
-        return Intervals.join([early, late])
-
-    def _with_ends(self, open_: Intervals) -> Intervals:
-        """Ask for what is not known yet at the ends; only roots lack it."""
-        if not np.any(np.isnan(open_.values)):
-            return open_
-        values, normals = open_.values.copy(), open_.normals.copy()
-        cells = self._bodies.cells(0.5 * (open_.t0 + open_.t1))
-        for end, t in enumerate((open_.t0, open_.t1)):
-            pose = self._bodies.pose(t, cells)
-            values[:, end], normals[:, end] = self._sample(open_, t, pose)
-        return Intervals(open_.pair, open_.t0, open_.t1, open_.required, values, normals)
+        early, late = 0.5 * (open_.t0 + middle), 0.5 * (middle + open_.t1)
+        times = np.stack([open_.t0, early, middle, late, open_.t1], axis=1)
+        values = np.full(times.shape, np.nan)
+        normals = np.zeros((*times.shape, 3))
+        values[:, 2], normals[:, 2] = value, normal
+        values[:, [0, 4]], normals[:, [0, 4]] = open_.values, open_.normals
+        row, column = np.nonzero(np.isnan(values))
+        # Each time belongs to the cell of its own interval, ends included.
+        cells = tuple(cell[row] for cell in self._bodies.cells(middle))
+        pose = self._bodies.pose(times[row, column], (cells[0], cells[1]))
+        values[row, column], normals[row, column] = self._sample(
+            open_.take(row), times[row, column], pose
+        )
+        return Intervals.join(
+            [
+                Intervals(
+                    open_.pair,
+                    times[:, i],
+                    times[:, i + 1],
+                    open_.required,
+                    values[:, i : i + 2],
+                    normals[:, i : i + 2],
+                )
+                for i in range(4)
+            ]
+        )
 
     def distances(self, pair: Index, t: Array) -> Array:
         """Exact distances (k,) of the pairs of parts (k,) at the times t (k,)."""

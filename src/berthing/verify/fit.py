@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import numpy as np
 
 from berthing.errors import InputError
@@ -9,11 +11,14 @@ from berthing.geometry.arrays import Array
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.vehicle import Vehicle
-from berthing.trajectory import CONTROL_INTERPOLATIONS, PhaseTrajectory, Plan, VehicleTrajectory
+from berthing.trajectory import PhaseTrajectory, Plan, VehicleTrajectory
 
 # No state, control or time in SI units of anything that berths comes near this; beyond it sums
 # and squares of coefficients lose what the checks rely on.
 LARGEST_NUMBER = 1e12
+
+# Coefficients that controls may have on a segment, for what is said to fly between samples.
+CONTROL_ROWS = {"polynomial": sys.maxsize, "linear": 2, "constant": 1}
 
 
 def require_fit(scenario: Scenario, plan: Plan) -> None:
@@ -47,15 +52,21 @@ def _require_vehicle(vehicle: Vehicle, own: VehicleTrajectory) -> None:
     _same(where, "model", own.model, model.kind)
     _same(where, "state names", own.state_names, model.state_names)
     _same(where, "control names", own.control_names, model.control_names)
-    if own.control_interpolation not in CONTROL_INTERPOLATIONS:
-        options = ", ".join(CONTROL_INTERPOLATIONS)
+    if own.control_interpolation not in CONTROL_ROWS:
+        options = ", ".join(CONTROL_ROWS)
         raise InputError(where, f"interpolates by {own.control_interpolation!r}", options)
     if not own.segments:
         raise InputError(where, "has no segments", "at least one")
+    rows = CONTROL_ROWS[own.control_interpolation]
     for segment in own.segments:
         _require_numbers(where, np.array([segment.t0_s, segment.t1_s]), (2,))
         _require_numbers(where, segment.state, (None, len(model.state_names)))
         _require_numbers(where, segment.control, (None, len(model.control_names)))
+        if len(segment.control) > rows:
+            what = (
+                f"flies {own.control_interpolation} controls of degree {len(segment.control) - 1}"
+            )
+            raise InputError(where, what, f"degree {rows - 1} at most")
 
 
 def _require_numbers(where: str, values: Array, shape: tuple[int | None, ...]) -> None:

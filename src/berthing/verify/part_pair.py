@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from berthing.verify.pair_motion import RelativePose
 
 @dataclass(frozen=True)
 class Ball:
-    """A ball that holds a part: centre (3,) in the body's frame, radius in m."""
+    """A ball that holds a part: centre in the body's frame (3,), radius in m."""
 
     centre: Array
     radius: float
@@ -62,12 +63,17 @@ def enclosing_ball(part: Part) -> Ball:
     The middle, not the shape's origin: a polytope may lie far from its origin, and all bounds on
     turning are proportional to the radius.
     """
-    shape = part.shape
+    own = _own_ball(part.shape)
+    return Ball(lifted(part.placement.apply(own.centre)), own.radius)
+
+
+@lru_cache(maxsize=4096)
+def _own_ball(shape: ConvexSet) -> Ball:
+    """In the shape's own frame and dimension."""
     axes = np.eye(shape.dim)
     upper, lower = shape.support(axes)[0], -shape.support(-axes)[0]
     middle = 0.5 * (upper + lower)
-    centre = part.placement.apply(middle)
-    return Ball(lifted(centre), _radius(shape, middle, 0.5 * (upper - lower)))
+    return Ball(middle, _radius(shape, middle, 0.5 * (upper - lower)))
 
 
 def _radius(shape: ConvexSet, middle: Array, half: Array) -> float:
