@@ -51,7 +51,7 @@ CARRY_M = 5e-3
 """Multipliers are carried to the next round where the dips are shallower than this: after deep
 ones other rows are active, and old multipliers mislead."""
 
-SPACING, REACH, SHRINK = 0.25, 1.3, 0.6
+SPACING, REACH, SHRINK = 0.35, 1.3, 0.6
 """Sites around a dip: their spacing and reach in units of the mean distance of two nodes, and the
 factor by which the spacing shrinks from round to round."""
 

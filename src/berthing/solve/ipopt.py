@@ -21,8 +21,9 @@ TOLERANCE = 1e-8
 COLD = {"mu_strategy": "adaptive"}
 """From a guess: the barrier follows the progress made, which survives poor guesses best."""
 
-NEAR = {"mu_strategy": "monotone", "mu_init": 1e-3}
-"""From an answer on another mesh: close in the states, no multipliers."""
+NEAR = {"mu_strategy": "monotone", "mu_init": 1e-5}
+"""From an answer on another mesh: close in the states, no multipliers. With 1e-3 the answer hops
+from one way through a corner to the next and takes half as long again."""
 
 WARM: dict[str, Any] = {
     "warm_start_init_point": "yes",
@@ -123,17 +124,19 @@ class Solver:
         *,
         backoff_m: float,
         previous: Answer | None = None,
+        eps: float | None = None,
     ) -> Outcome:
         """Solve from ``start``, or from ``previous`` on the same mesh, with its multipliers.
 
-        Rows and variables that ``previous`` does not have begin as ``start`` says.
+        Rows and variables that ``previous`` does not have begin as ``start`` says. ``eps`` is the
+        stage of the problem's homotopy, the last one where None.
 
         Raises:
             KeyboardInterrupt: Ctrl-C during the solve, which IPOPT itself swallows.
         """
         problem = self.problem
         motion = start.motion
-        parameters = problem.parameter_vector(scenario, backoff_m, motion.duration_s)
+        parameters = problem.parameter_vector(scenario, backoff_m, motion.duration_s, eps)
         x0 = start.vector(problem, scenario)
         lower, upper = problem.layout.variables.bounds()
         row_lower, row_upper = problem.layout.rows.bounds()
