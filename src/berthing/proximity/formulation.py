@@ -54,14 +54,20 @@ class PairFormulation(ABC):
     """The separation of one pair of sets A and B, posed in the world frame.
 
     ``variables`` and ``rows`` belong together: ``rows`` takes one expression a variable.
+
+    Attributes:
+        homotopy: falling values of ``eps``, one a solve, for rows that are relaxed by it; empty
+            for a form that is exact as it stands.
     """
 
     variables: Variables
+    homotopy: tuple[float, ...] = ()
 
     @abstractmethod
     def rows(
-        self, v: Sym, pose_a: SymPose, pose_b: SymPose, margin_m: Sym, length_m: float
-    ) -> Rows:
+        self, v: Sym, pose_a: SymPose, pose_b: SymPose, margin_m: Sym, length_m: float,
+        eps: Sym = 0.0,
+    ) -> Rows:  # fmt: skip
         """Rows that hold only if the sets are at least ``margin_m`` apart.
 
         Args:
@@ -70,13 +76,16 @@ class PairFormulation(ABC):
             margin_m: the distance to keep, a number or an expression; above zero, for at zero or
                 less the rows ask for nothing.
             length_m: the length that the separation row is divided by.
+            eps: how far the rows are relaxed, a number or an expression. An answer of relaxed
+                rows may overstate the distance.
         """
 
     @abstractmethod
-    def start(self, pose_a: Pose, pose_b: Pose, normal: Array) -> Array:
+    def start(self, pose_a: Pose, pose_b: Pose, normal: Array, eps: float = 0.0) -> Array:
         """Values (n, k) of the variables for n pairs of poses, whether apart or not.
 
-        ``normal`` (n, d) are unit vectors of the world that part A from B, or part them best.
+        ``normal`` (n, d) are unit vectors of the world that part A from B, or part them best;
+        ``eps`` is that of the rows.
         """
 
 

@@ -7,10 +7,14 @@ from collections.abc import Callable
 from berthing.errors import InputError
 from berthing.geometry.convex_set import ConvexSet
 from berthing.proximity.formulation import PairFormulation
+from berthing.proximity.kkt import KktFormulation
+from berthing.proximity.kkt_complementarity import KktComplementarityFormulation
 from berthing.proximity.plane import PlaneFormulation
 
 FORMULATIONS: dict[str, Callable[[ConvexSet, ConvexSet], PairFormulation]] = {
     "plane": PlaneFormulation,
+    "kkt": KktFormulation,
+    "kkt-complementarity": KktComplementarityFormulation,
 }
 
 

@@ -34,8 +34,9 @@ class PlaneFormulation(PairFormulation):
         self.variables: Variables = unbounded(names)
 
     def rows(
-        self, v: Sym, pose_a: SymPose, pose_b: SymPose, margin_m: Sym, length_m: float
-    ) -> Rows:
+        self, v: Sym, pose_a: SymPose, pose_b: SymPose, margin_m: Sym, length_m: float,
+        eps: Sym = 0.0,
+    ) -> Rows:  # fmt: skip
         d, size_a = self.a.dim, self.epigraph_a.size
         (r_a, R_a), (r_b, R_b) = pose_a, pose_b
         n_B, tau_a, tau_b = v[:d], v[d : d + size_a], v[d + size_a :]
@@ -50,6 +51,6 @@ class PlaneFormulation(PairFormulation):
         upper = np.concatenate([[np.inf, np.inf], side_a.upper, side_b.upper])
         return Rows(expression, lower, upper, 0, ca.sumsqr(tau_a) + ca.sumsqr(tau_b))
 
-    def start(self, pose_a: Pose, pose_b: Pose, normal: Array) -> Array:
+    def start(self, pose_a: Pose, pose_b: Pose, normal: Array, eps: float = 0.0) -> Array:
         n_A, n_B = pose_a.unrotate(normal), pose_b.unrotate(normal)
         return np.concatenate([n_B, self.epigraph_a.start(n_A), self.epigraph_b.start(-n_B)], -1)

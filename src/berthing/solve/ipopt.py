@@ -59,9 +59,9 @@ class Start:
     motion: Motion
     normals: Normals
 
-    def vector(self, problem: Problem, scenario: Scenario) -> Array:
-        """The variables of ``problem`` there."""
-        return problem.start_vector(scenario, self.motion, self.normals)
+    def vector(self, problem: Problem, scenario: Scenario, eps: float | None = None) -> Array:
+        """The variables of ``problem`` there, at a stage of its homotopy or the last."""
+        return problem.start_vector(scenario, self.motion, self.normals, eps)
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ class Solver:
         problem = self.problem
         motion = start.motion
         parameters = problem.parameter_vector(scenario, backoff_m, motion.duration_s, eps)
-        x0 = start.vector(problem, scenario)
+        x0 = start.vector(problem, scenario, eps)
         lower, upper = problem.layout.variables.bounds()
         row_lower, row_upper = problem.layout.rows.bounds()
         arguments = {

@@ -36,6 +36,7 @@ from berthing.transcription.separation import (
     Normals,
     SiteRows,
     add_separation,
+    homotopy_name,
     margin_name,
 )
 from berthing.transcription.sites import Site, site_margins, site_times
@@ -84,11 +85,24 @@ class Problem:
     defect_rows: Mapping[str, Sequence[Index]]
     separation: SiteRows
 
-    def parameter_vector(self, scenario: Scenario, backoff_m: float, duration_s: float) -> Array:
+    @property
+    def homotopy(self) -> tuple[float, ...]:
+        """Falling values of ε to solve with one after the other; one of zero where none relaxes."""
+        return max((form.homotopy for form in self.formulations), key=len, default=()) or (0.0,)
+
+    def parameter_vector(
+        self, scenario: Scenario, backoff_m: float, duration_s: float, eps: float | None = None
+    ) -> Array:
         """Parameters for ``scenario``, which may differ from the one built for in its numbers
-        only: ends, poses of structures, margins, horizon."""
+        only: ends, poses of structures, margins, horizon.
+
+        ``eps`` is the stage of the homotopy, the last one where None.
+        """
         phase = scenario.phase(self.phase.name)
-        values: dict[str, Any] = {horizon_name(phase.name): duration_s}
+        values: dict[str, Any] = {
+            horizon_name(phase.name): duration_s,
+            homotopy_name(phase.name): self.homotopy[-1] if eps is None else eps,
+        }
         for vehicle in phase.vehicles:
             for kind, end in (("start", vehicle.start), ("goal", vehicle.goal)):
                 values.update(end_parameters(f"{phase.name}/{vehicle.name}/{kind}", end))
@@ -105,8 +119,14 @@ class Problem:
         values[margin_name(phase.name)] = np.array(margins or [0.0])
         return self.layout.parameters.join(values)
 
-    def start_vector(self, scenario: Scenario, motion: Motion, normals: Normals) -> Array:
-        """Variables at ``motion``, the separation's own started from its poses."""
+    def start_vector(
+        self, scenario: Scenario, motion: Motion, normals: Normals, eps: float | None = None
+    ) -> Array:
+        """Variables at ``motion``, the separation's own started from its poses.
+
+        ``eps`` is the stage of the homotopy, the last one where None.
+        """
+        eps = self.homotopy[-1] if eps is None else eps
         name = self.phase.name
         values: dict[str, Any] = {}
         if self.phase.horizon.is_free:
@@ -114,7 +134,7 @@ class Problem:
         for vehicle in self.phase.vehicles:
             values[state_name(name, vehicle.name)] = motion.states[vehicle.name]
             values[control_name(name, vehicle.name)] = motion.controls[vehicle.name]
-        values.update(self._site_values(scenario, motion, normals))
+        values.update(self._site_values(scenario, motion, normals, eps))
         for vehicle in self.phase.vehicles:
             places = [place for place in self.separation.lifted if place[0] == vehicle.name]
             x = states_at(self.mesh, motion.states[vehicle.name], [place[1:] for place in places])
@@ -143,7 +163,7 @@ class Problem:
         return motion.duration_s * (cost.control_energy * float(weights @ power) + cost.time)
 
     def _site_values(
-        self, scenario: Scenario, motion: Motion, normals: Normals
+        self, scenario: Scenario, motion: Motion, normals: Normals, eps: float
     ) -> dict[str, Array]:
         """Starting values of every site's own variables, by block."""
         sites = list(self.separation.sites)
@@ -158,7 +178,7 @@ class Problem:
                 .compose(part.placement)
                 for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
             )  # fmt: skip
-            starts = form.start(a, b, normals(p, a, b))
+            starts = form.start(a, b, normals(p, a, b), eps)
             values.update({self.separation.blocks[i]: v for i, v in zip(here, starts, strict=True)})
         return values
 

@@ -52,9 +52,17 @@ def margin_name(phase: str) -> str:
     return f"{phase}/margins_m"
 
 
-def site_key(pair: Pair, site: Site) -> str:
-    """The same for one pair at one place of one mesh, whatever other sites there are."""
-    return f"{pair.name} at {site.segment}:{site.s!r}"
+def homotopy_name(phase: str) -> str:
+    return f"{phase}/homotopy"
+
+
+def site_key(pair: Pair, site: Site, form: PairFormulation) -> str:
+    """The same for one pair at one place of one mesh in one form, whatever other sites there are.
+
+    Forms are told apart, for their variables and rows are not each other's, even where their
+    numbers agree.
+    """
+    return f"{pair.name} at {site.segment}:{site.s!r}, {type(form).__name__}"
 
 
 def add_separation(
@@ -69,13 +77,14 @@ def add_separation(
     ``regulariser`` weighs the mean over the sites of the formulation's own in the objective.
     """
     margins = layout.parameters.add(margin_name(layout.phase.name), (max(len(sites), 1), 1))
+    eps = layout.parameters.add(homotopy_name(layout.phase.name), (1, 1))
     places = _Places(layout)
     blocks, separation_rows = [""] * len(sites), [0] * len(sites)
     for p, (pair, form) in enumerate(zip(pairs, formulations, strict=True)):
         here = {i: site for i, site in enumerate(sites) if site.pair == p}
         if here:
             kernel = _PairKernel(layout, pair, form, regulariser / len(sites))
-            for i, block, row in _add_pair(layout, kernel, here, places, margins):
+            for i, block, row in _add_pair(layout, kernel, here, places, margins, eps):
                 blocks[i], separation_rows[i] = block.name, row
     return SiteRows(tuple(sites), tuple(blocks), places.names, tuple(separation_rows))
 
@@ -86,24 +95,27 @@ def _add_pair(
     sites: Mapping[int, Site],
     places: _Places,
     margins: Block,
+    eps: Block,
 ) -> list[tuple[int, Block, int]]:
     """Append the sites of one pair: (number of the site, its block, its separation row)."""
     pair, variables = kernel.pair, kernel.form.variables
-    columns: dict[str, list[Index]] = {"v": [], "margin": [], "a": [], "b": []}
+    columns: dict[str, list[Index]] = {"v": [], "margin": [], "eps": [], "a": [], "b": []}
     fractions, lines, out = [], [], []
     for i, site in sites.items():
         fraction = layout.mesh.fraction(site.segment, site.s)
         block = layout.variables.add(
-            f"{layout.phase.name}/{site_key(pair, site)}", (len(variables), 1),
+            f"{layout.phase.name}/{site_key(pair, site, kernel.form)}", (len(variables), 1),
             lower=variables.lower, upper=variables.upper,
         )  # fmt: skip
         rows = layout.rows.add(
             len(kernel.lower), kernel.lower, kernel.upper,
             partial(_label, pair.label, layout.nominal_time(fraction)),
-            unit_scale=layout.scale.length_m, unit="m", key=site_key(pair, site),
+            unit_scale=layout.scale.length_m, unit="m",
+            key=site_key(pair, site, kernel.form),
         )  # fmt: skip
         columns["v"].append(block.indices.ravel())
         columns["margin"].append(margins.indices[i])
+        columns["eps"].append(eps.indices.ravel())
         for side, owner in (("a", pair.owner_a), ("b", pair.owner_b)):
             if isinstance(owner, Vehicle):
                 columns[side].append(places.indices(owner.name, site))
@@ -128,7 +140,8 @@ class _PairKernel:
         t = layout.t0_s + layout.declare_duration(self.inputs) * fraction
         pose_a = self._pose(layout, "a", pair.owner_a, pair.part_a, t)
         pose_b = self._pose(layout, "b", pair.owner_b, pair.part_b, t)
-        made = form.rows(v, pose_a, pose_b, margin, layout.scale.length_m)
+        eps = self.inputs.parameter("eps", 1) if form.homotopy else 0.0
+        made = form.rows(v, pose_a, pose_b, margin, layout.scale.length_m, eps)
         self.lower, self.upper, self.separation = made.lower, made.upper, made.separation
         self.kernel = self.inputs.kernel(made.expression, regulariser * made.regulariser)
 
