@@ -13,6 +13,7 @@ from berthing.errors import InputError
 from berthing.guess.candidates import candidates
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import Guess, motion_along
+from berthing.refine.begin_with import first_formulation, refine
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import SolverOptions
@@ -83,7 +84,7 @@ def plan(
         with work.stage("refine"):
             # Further guesses are solved on the other core meanwhile.
             while (candidate := search.next_candidate(best)) is not None:
-                refined = work.refiner(search.poll).run(*candidate)
+                refined = refine(work.refiner(search.poll), *candidate)
                 work.attempts += refined.attempts
                 best = _better(best, refined)
                 if time.monotonic() > work.deadline:
@@ -189,7 +190,7 @@ def _search(work: _Work) -> _Search:
     mesh = work.mesh(COARSE_SEGMENTS)
     pairs = scenario.pairs(phase)
     sites = node_sites(mesh, len(pairs))
-    problem = build(scenario, phase, mesh, sites, work.options.formulation)
+    problem = build(scenario, phase, mesh, sites, first_formulation(work.options.formulation))
     left = work.deadline - time.monotonic()
     solver = Solver.build(problem, "cold", Budget(COARSE_ITERATIONS, min(left, 1e6)))
     guesses = candidates(scenario, phase, work.options.seed)

@@ -21,6 +21,7 @@ from berthing.refine.sampling import SampledClearance, sample_clearance, sample_
 from berthing.result import Attempt
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
+from berthing.solve.homotopy import solve_by_stages
 from berthing.solve.ipopt import Answer, Budget, Solver, Start
 from berthing.solve.outcome import Outcome
 from berthing.trajectory import Plan
@@ -61,8 +62,13 @@ ITERATIONS = 250
 
 @dataclass
 class Refinement:
-    """What came of refining one candidate."""
+    """What came of refining one candidate.
 
+    Attributes:
+        answer: the last solve that ended well, whether its plan is certified or not.
+    """
+
+    answer: Answer | None = None
     plan: Plan | None = None
     verification: Verification | None = None
     outcome: Outcome | None = None
@@ -99,14 +105,30 @@ class Refiner:
 
     def run(self, name: str, coarse: Problem, motion: Motion) -> Refinement:
         """Refine ``motion``, the answer of ``coarse``, until certified or out of rounds."""
-        result, mesh = Refinement(), self.mesh
+        mesh = self.mesh
         sampled = self._sample(coarse, motion)
         sites = near_sites(mesh, len(coarse.pairs), sampled, NEAR_M)
         motion = resample(motion, self.phase, coarse.mesh, mesh)
         spacing = SPACING * motion.duration_s / mesh.control_count
         reach = REACH * motion.duration_s / mesh.control_count
         sites = dip_sites(mesh, sites, sampled, 0.0, spacing, reach)
-        previous: Answer | None = None
+        return self._rounds(name, mesh, sites, motion, (spacing, reach), None)
+
+    def follow(self, name: str, answer: Answer) -> Refinement:
+        """Refine the answer of another formulation: on its mesh, at its sites, from its point."""
+        problem, motion = answer.problem, answer.outcome.motion
+        node_s = motion.duration_s / problem.mesh.control_count
+        sites = list(problem.separation.sites)
+        around = SPACING * SHRINK * node_s, REACH * node_s
+        return self._rounds(name, problem.mesh, sites, motion, around, answer)
+
+    def _rounds(
+        self, name: str, mesh: Mesh, sites: list[Site], motion: Motion,
+        around_s: tuple[float, float], previous: Answer | None,
+    ) -> Refinement:  # fmt: skip
+        """Solve, sample, add sites ``around_s`` (spacing, reach) dips, until certified."""
+        result = Refinement()
+        spacing, reach = around_s
         for round_ in range(ROUNDS):
             problem = build(self.scenario, self.phase, mesh, sites, self.formulation)
             outcome = self._solve(problem, motion, previous)
@@ -115,11 +137,12 @@ class Refiner:
                 result.outcome = result.outcome or outcome
                 break
             result.outcome, motion = outcome, outcome.motion
+            result.answer = Answer(problem, outcome)
             sampled = self._sample(problem, motion)
             clearance = _least(sampled)
             self.report(f"{name}, round {round_ + 1}", outcome.iterations, clearance)
             close = sampled.worst_m < CARRY_M
-            previous = Answer(problem, outcome) if close else None
+            previous = result.answer if close else None
             spacing *= SHRINK
             if sampled.worst_m > -CLEAR_M:
                 before = sites
@@ -139,7 +162,13 @@ class Refiner:
         preset = "near" if previous is None else "warm"
         solver = Solver.build(problem, preset, Budget(ITERATIONS, left))
         start = Start(motion, exact_normals(problem.pairs))
-        return solver.solve(self.scenario, start, backoff_m=BACKOFF_M, previous=previous)
+        outcome = solver.solve(self.scenario, start, backoff_m=BACKOFF_M, previous=previous)
+        if outcome.solved or len(problem.homotopy) < 2:
+            return outcome
+        budget = Budget(ITERATIONS, max(self.deadline - time.monotonic(), 0.1))
+        return solve_by_stages(
+            problem, self.scenario, start, preset="near", budget=budget, backoff_m=BACKOFF_M
+        )
 
     def _sample(self, problem: Problem, motion: Motion) -> SampledClearance:
         trajectory = trajectories(problem, motion)
