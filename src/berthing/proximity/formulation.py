@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
@@ -87,6 +88,28 @@ class PairFormulation(ABC):
         ``normal`` (n, d) are unit vectors of the world that part A from B, or part them best;
         ``eps`` is that of the rows.
         """
+
+
+@runtime_checkable
+class Sweeping(Protocol):
+    """A formulation whose block holds a plane, which can be asked for at a second pose too."""
+
+    variables: Variables
+
+    @property
+    def sweep_size(self) -> int:
+        """Variables of its own that the second pose takes."""
+        ...
+
+    def sweep_rows(
+        self, v: Sym, tau: Sym, pose_a: SymPose, pose_b: SymPose, margin_m: Sym, length_m: float
+    ) -> Rows:
+        """Rows that hold only if the plane of the block ``v`` parts the sets at these poses."""
+        ...
+
+    def sweep_start(self, v: Array, pose_a: Pose, pose_b: Pose) -> Array:
+        """Values (k,) of its variables at one pair of poses."""
+        ...
 
 
 def unbounded(names: tuple[str, ...]) -> Variables:

@@ -51,6 +51,34 @@ class PlaneFormulation(PairFormulation):
         upper = np.concatenate([[np.inf, np.inf], side_a.upper, side_b.upper])
         return Rows(expression, lower, upper, 0, ca.sumsqr(tau_a) + ca.sumsqr(tau_b))
 
+    @property
+    def sweep_size(self) -> int:
+        """A's multipliers at the second pose; B's, in its own frame, are those of the block."""
+        return self.epigraph_a.size
+
+    def sweep_rows(
+        self, v: Sym, tau: Sym, pose_a: SymPose, pose_b: SymPose, margin_m: Sym, length_m: float
+    ) -> Rows:
+        """The block's plane, fixed in B's frame, parts the sets at another pose too."""
+        d, size_a = self.a.dim, self.epigraph_a.size
+        (r_a, R_a), (r_b, R_b) = pose_a, pose_b
+        n_B, tau_b = v[:d], v[d + size_a :]
+        n_world = ca.mtimes(R_b, n_B)
+        side_a = self.epigraph_a.rows(tau, ca.mtimes(R_a.T, n_world))
+        side_b = self.epigraph_b.rows(tau_b, -n_B)
+        gap = ca.dot(n_world, r_b - r_a) - side_a.value - side_b.value - margin_m
+        return Rows(
+            ca.vertcat(gap / length_m, side_a.expression),
+            np.concatenate([[0.0], side_a.lower]),
+            np.concatenate([[np.inf], side_a.upper]),
+            0,
+            ca.sumsqr(tau),
+        )
+
+    def sweep_start(self, v: Array, pose_a: Pose, pose_b: Pose) -> Array:
+        n_A = pose_a.unrotate(pose_b.rotate(v[: self.a.dim]))
+        return self.epigraph_a.start(n_A)
+
     def start(self, pose_a: Pose, pose_b: Pose, normal: Array, eps: float = 0.0) -> Array:
         n_A, n_B = pose_a.unrotate(normal), pose_b.unrotate(normal)
         return np.concatenate([n_B, self.epigraph_a.start(n_A), self.epigraph_b.start(-n_B)], -1)

@@ -11,7 +11,7 @@ import numpy as np
 from berthing.dynamics.motion import symbolic_motion
 from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
-from berthing.proximity.formulation import PairFormulation
+from berthing.proximity.formulation import PairFormulation, Sweeping
 from berthing.proximity.formulations import formulate
 from berthing.scenario.pair import Pair
 from berthing.scenario.phase import Phase
@@ -34,12 +34,14 @@ from berthing.transcription.mesh import Mesh
 from berthing.transcription.scaling import phase_scale
 from berthing.transcription.separation import (
     Normals,
+    Places,
     SiteRows,
     add_separation,
     homotopy_name,
     margin_name,
 )
 from berthing.transcription.sites import Site, site_margins, site_times
+from berthing.transcription.sweeps import Sweep, add_sweeps
 
 DEFAULT_REGULARISER = 1e-3
 """Weight of the multipliers' mean square against a cost of order one: it picks one multiplier
@@ -72,7 +74,7 @@ class Problem:
     Attributes:
         nlp: casadi expressions ``x``, ``p``, ``f``, ``g`` and the functions of their derivatives.
         defect_rows: vehicle → rows (collocated nodes, nx) of each segment's defects.
-        separation: the sites and their rows.
+        separation: the sites and their rows; sweeps: planes shared by two of them.
     """
 
     scenario: Scenario
@@ -84,6 +86,7 @@ class Problem:
     nlp: Mapping[str, Any]
     defect_rows: Mapping[str, Sequence[Index]]
     separation: SiteRows
+    sweeps: tuple[Sweep, ...]
 
     @property
     def homotopy(self) -> tuple[float, ...]:
@@ -135,6 +138,7 @@ class Problem:
             values[state_name(name, vehicle.name)] = motion.states[vehicle.name]
             values[control_name(name, vehicle.name)] = motion.controls[vehicle.name]
         values.update(self._site_values(scenario, motion, normals, eps))
+        values.update(self._sweep_values(scenario, motion, values))
         for vehicle in self.phase.vehicles:
             places = [place for place in self.separation.lifted if place[0] == vehicle.name]
             x = states_at(self.mesh, motion.states[vehicle.name], [place[1:] for place in places])
@@ -182,6 +186,24 @@ class Problem:
             values.update({self.separation.blocks[i]: v for i, v in zip(here, starts, strict=True)})
         return values
 
+    def _sweep_values(
+        self, scenario: Scenario, motion: Motion, values: Mapping[str, Array]
+    ) -> dict[str, Array]:
+        """Starting values of every sweep, its plane being that of its first site."""
+        sites, out = self.separation.sites, {}
+        for sweep in self.sweeps:
+            last = sites[sweep.last]
+            pair, form = self.pairs[last.pair], self.formulations[last.pair]
+            t = site_times([last], self.mesh, self.layout.t0_s, motion.duration_s)
+            a, b = (
+                self._poses(scenario, motion, owner, [last], t).compose(part.placement)[0]
+                for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
+            )
+            assert isinstance(form, Sweeping)
+            plane = values[self.separation.blocks[sweep.first]]
+            out[sweep.block] = form.sweep_start(plane, a, b)
+        return out
+
     def _poses(
         self, scenario: Scenario, motion: Motion, owner: Vehicle | Structure,
         sites: Sequence[Site], times_s: Array,
@@ -210,10 +232,15 @@ def build(
     sites: Sequence[Site],
     formulation: str,
     *,
+    sweep_within: float = 0.0,
     regulariser: float = DEFAULT_REGULARISER,
     t0_s: float = 0.0,
 ) -> Problem:
     """Assemble the programme of ``phase`` with separation at ``sites``.
+
+    Args:
+        sweep_within: sites of a pair that follow each other within this fraction of the phase
+            share planes, where the formulation has any.
 
     Raises:
         InputError: no such formulation.
@@ -230,6 +257,10 @@ def build(
     add_cost(layout, scale.cost)
     add_ends(layout)
     add_limits(layout)
-    separation = add_separation(layout, pairs, formulations, sites, regulariser)
+    places = Places(layout)
+    separation = add_separation(layout, pairs, formulations, sites, places, regulariser)
+    sweeps = add_sweeps(layout, pairs, formulations, separation, places, sweep_within, regulariser)
     nlp = layout.elements.programme(layout.variables.size, layout.parameters.size, layout.rows.size)
-    return Problem(scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation)
+    return Problem(
+        scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation, sweeps
+    )

@@ -70,6 +70,7 @@ def add_separation(
     pairs: Sequence[Pair],
     formulations: Sequence[PairFormulation],
     sites: Sequence[Site],
+    places: Places,
     regulariser: float,
 ) -> SiteRows:
     """Append variables and rows of every site; the margin of each is a parameter.
@@ -78,7 +79,6 @@ def add_separation(
     """
     margins = layout.parameters.add(margin_name(layout.phase.name), (max(len(sites), 1), 1))
     eps = layout.parameters.add(homotopy_name(layout.phase.name), (1, 1))
-    places = _Places(layout)
     blocks, separation_rows = [""] * len(sites), [0] * len(sites)
     for p, (pair, form) in enumerate(zip(pairs, formulations, strict=True)):
         here = {i: site for i, site in enumerate(sites) if site.pair == p}
@@ -93,7 +93,7 @@ def _add_pair(
     layout: PhaseLayout,
     kernel: _PairKernel,
     sites: Mapping[int, Site],
-    places: _Places,
+    places: Places,
     margins: Block,
     eps: Block,
 ) -> list[tuple[int, Block, int]]:
@@ -138,32 +138,32 @@ class _PairKernel:
         v = self.inputs.variable("v", len(form.variables))
         margin, fraction = self.inputs.parameter("margin", 1), self.inputs.constant("fraction")
         t = layout.t0_s + layout.declare_duration(self.inputs) * fraction
-        pose_a = self._pose(layout, "a", pair.owner_a, pair.part_a, t)
-        pose_b = self._pose(layout, "b", pair.owner_b, pair.part_b, t)
+        pose_a = part_pose(layout, self.inputs, "a", pair.owner_a, pair.part_a, t)
+        pose_b = part_pose(layout, self.inputs, "b", pair.owner_b, pair.part_b, t)
         eps = self.inputs.parameter("eps", 1) if form.homotopy else 0.0
         made = form.rows(v, pose_a, pose_b, margin, layout.scale.length_m, eps)
         self.lower, self.upper, self.separation = made.lower, made.upper, made.separation
         self.kernel = self.inputs.kernel(made.expression, regulariser * made.regulariser)
 
-    def _pose(
-        self, layout: PhaseLayout, side: str, owner: Vehicle | Structure, part: Part, t: Sym
-    ) -> SymPose:
-        if isinstance(owner, Structure):
-            frame = layout.declare_frame(self.inputs, owner.name, t)
-            return _placed(frame.position, frame.rotation, part.placement)
-        vehicle = layout.vehicles[owner.name]
-        columns = list(vehicle.pose_columns)
-        scale = vehicle.scale
-        values = self.inputs.variable(
-            side, len(columns), scale.state[columns], scale.state_shift[columns]
-        )
-        x = ca.SX.zeros(vehicle.nx)
-        x[columns] = values
-        body = vehicle.kinematics(x)
-        return _placed(body.position, body.rotation, part.placement)
+
+def part_pose(
+    layout: PhaseLayout, inputs: Inputs, side: str, owner: Vehicle | Structure, part: Part, t: Sym
+) -> SymPose:
+    """Declare what places ``owner`` under the name ``side`` and return the pose of its part."""
+    if isinstance(owner, Structure):
+        frame = layout.declare_frame(inputs, owner.name, t)
+        return _placed(frame.position, frame.rotation, part.placement)
+    vehicle = layout.vehicles[owner.name]
+    columns = list(vehicle.pose_columns)
+    scale = vehicle.scale
+    values = inputs.variable(side, len(columns), scale.state[columns], scale.state_shift[columns])
+    x = ca.SX.zeros(vehicle.nx)
+    x[columns] = values
+    body = vehicle.kinematics(x)
+    return _placed(body.position, body.rotation, part.placement)
 
 
-class _Places:
+class Places:
     """Indices of the pose's components of a vehicle wherever a site needs them."""
 
     def __init__(self, layout: PhaseLayout) -> None:
