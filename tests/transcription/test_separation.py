@@ -192,6 +192,11 @@ def berthed(overrides: list[dict[str, object]]) -> Solved:
 def test_a_goal_in_contact_is_reached_where_contact_is_allowed() -> None:
     found = berthed([TOUCH])
     assert found.outcome.solved
+    margins = found.problem.layout.parameters.split(found.outcome.parameters)["main/margins_m"]
+    in_force = np.unique(np.round(margins, 9))
+    # Below zero, where a normal of zero holds the row with room to spare.
+    assert in_force[0] < -1.0
+    np.testing.assert_allclose(in_force[1:], MARGIN_M + BACKOFF_M)
     times = found.nodes[0].times_s
     gaps = 6.5 - 0.5 - found.outcome.motion.states["puck"][0]
     assert gaps[-1] == pytest.approx(0.0, abs=1e-7)
