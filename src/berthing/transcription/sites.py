@@ -11,9 +11,6 @@ from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.transcription.mesh import Mesh
 
-SAME_PLACE = 1e-6
-"""Sites of one pair nearer than this in local coordinates would make dependent rows."""
-
 
 @dataclass(frozen=True, order=True)
 class Site:
@@ -26,13 +23,16 @@ class Site:
 
 def node_sites(mesh: Mesh, pairs: int) -> list[Site]:
     """Every pair at every collocated node but the first, which the start decides, and the last
-    point, which the goal may leave open."""
+    point, which the goal may leave open.
+
+    Where a scheme collocates both ends of a segment, neighbours share a site as they share a point.
+    """
     sites = [
         Site(k, float(mesh.node_set(k).points[c]), pair)
         for k in range(mesh.segments)
         for c in mesh.node_set(k).collocated
         for pair in range(pairs)
-        if not (k == 0 and mesh.node_set(k).points[c] == -1.0)
+        if not (mesh.node_set(k).points[c] == -1.0 and (k == 0 or _closes(mesh, k - 1)))
     ]
     closing = {(site.segment, site.s) for site in sites}
     last = mesh.segments - 1
@@ -41,16 +41,10 @@ def node_sites(mesh: Mesh, pairs: int) -> list[Site]:
     return sites
 
 
-def merge(sites: list[Site], more: list[Site]) -> list[Site]:
-    """Both, sorted, without two of one pair in the same place."""
-    out: list[Site] = []
-    for site in sorted([*sites, *more], key=lambda a: (a.pair, a.segment, a.s)):
-        last = out[-1] if out else None
-        twin = last is not None and (last.pair, last.segment) == (site.pair, site.segment)
-        if twin and last is not None and site.s - last.s < SAME_PLACE:
-            continue
-        out.append(site)
-    return sorted(out)
+def _closes(mesh: Mesh, k: int) -> bool:
+    """Whether the end of segment k is collocated."""
+    nodes = mesh.node_set(k)
+    return bool(nodes.points[nodes.collocated[-1]] == 1.0)
 
 
 def site_times(sites: list[Site], mesh: Mesh, t0_s: float, duration_s: float) -> np.ndarray:
