@@ -40,6 +40,15 @@ def peaks(shortfall: Array, allowed_m: float) -> Index:
     return np.flatnonzero((shortfall > allowed_m) & (shortfall >= before) & (shortfall >= after))
 
 
+def dips_of(sampled: SampledClearance, allowed_m: float) -> list[tuple[int, float]]:
+    """(pair, time) of every local maximum of a pair's shortfall above ``allowed_m``."""
+    return [
+        (pair, float(sampled.times_s[i]))
+        for pair, shortfall in enumerate(sampled.shortfall_m)
+        for i in peaks(shortfall, allowed_m)
+    ]
+
+
 def dip_sites(
     mesh: Mesh,
     sites: list[Site],
@@ -53,11 +62,7 @@ def dip_sites(
     A single site at the bottom only moves the dip: between two sites the solution steps through a
     corner wherever that is cheapest. So the neighbourhood is filled at once.
     """
-    dips = [
-        (pair, float(sampled.times_s[i]))
-        for pair, shortfall in enumerate(sampled.shortfall_m)
-        for i in peaks(shortfall, allowed_m)
-    ]
+    dips = dips_of(sampled, allowed_m)
     span = float(sampled.times_s[0]), float(sampled.times_s[-1])
     return sites_around(mesh, sites, dips, span, spacing_s, reach_s)
 

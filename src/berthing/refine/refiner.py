@@ -15,6 +15,7 @@ import numpy as np
 
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
+from berthing.refine.events import active, aligned, halved, joined
 from berthing.refine.place import dip_sites, near_sites, sites_around
 from berthing.refine.remesh import split_unresolved
 from berthing.refine.sampling import SampledClearance, sample_clearance, sample_times
@@ -58,6 +59,11 @@ factor by which the spacing shrinks from round to round."""
 
 SWEEP = 1.2
 """Sites that follow each other within this many spacings share planes."""
+
+POLISH_ROUNDS = 12
+JOIN, CLOSEST = 0.45, 1e-3
+"""Of the mean distance of two nodes: active rows nearer than the first are one touch, and sites
+are not put closer than the second."""
 
 ROUNDS = 14
 ITERATIONS = 250
@@ -133,10 +139,7 @@ class Refiner:
         result = Refinement()
         spacing, reach = around_s
         for round_ in range(ROUNDS):
-            within = SWEEP * SPACING / mesh.control_count
-            problem = build(
-                self.scenario, self.phase, mesh, sites, self.formulation, sweep_within=within
-            )
+            problem = self._build(mesh, sites)
             outcome = self._solve(problem, motion, previous)
             result.attempts.append(attempt(f"{name}, round {round_ + 1}", problem, outcome))
             if not outcome.solved:
@@ -162,6 +165,39 @@ class Refiner:
             mesh, motion, sites = self._after(result, problem, motion, spacing, reach)
             previous = previous if mesh == problem.mesh else None
         return result
+
+    def polish(self, name: str, result: Refinement, tolerance: float) -> None:
+        """Close in on the touches of a certified answer until the lower Hamiltonian drifts by no
+        more than ``tolerance`` of its mean; every certified step that drifts less is kept."""
+        if result.answer is None or not result.certified:
+            return
+        answer, node = result.answer, 1.0 / self.mesh.control_count
+        for round_ in range(POLISH_ROUNDS):
+            drift = _drift(result)
+            if drift <= tolerance or time.monotonic() > self.deadline:
+                return
+            problem = answer.problem
+            touches = active(problem, answer.outcome)
+            mesh = aligned(self.mesh, joined(touches, JOIN * node))
+            motion = resample(answer.outcome.motion, self.phase, problem.mesh, mesh)
+            sites = halved(problem, touches, mesh, CLOSEST * node)
+            problem = self._build(mesh, sites)
+            outcome = self._solve(problem, motion, None)
+            label = f"{name}, touches, round {round_ + 1}"
+            result.attempts.append(attempt(label, problem, outcome))
+            if not outcome.solved:
+                return
+            answer = Answer(problem, outcome)
+            self.report(label, outcome.iterations, _least(self._sample(problem, outcome.motion)))
+            step = Refinement()
+            self._verify(step, problem, outcome)
+            if step.certified and _drift(step) < drift:
+                result.plan, result.verification = step.plan, step.verification
+                result.outcome, result.answer = outcome, answer
+
+    def _build(self, mesh: Mesh, sites: list[Site]) -> Problem:
+        within = SWEEP * SPACING / self.mesh.control_count
+        return build(self.scenario, self.phase, mesh, sites, self.formulation, sweep_within=within)
 
     def _solve(self, problem: Problem, motion: Motion, previous: Answer | None) -> Outcome:
         left = max(self.deadline - time.monotonic(), 0.1)
@@ -225,6 +261,12 @@ def make_plan(
         seed=seed,
         backoff_m=BACKOFF_M,
     )
+
+
+def _drift(result: Refinement) -> float:
+    verification = result.verification
+    drift = None if verification is None else verification.hamiltonian_relative_drift
+    return float("inf") if drift is None else drift
 
 
 def _least(sampled: SampledClearance) -> float | None:
