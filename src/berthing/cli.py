@@ -97,7 +97,8 @@ def verify_command(
 ) -> None:
     """Check a plan folder again, from its files alone.
 
-    Nothing of the solver is used: the check has its own equations of motion, and exact shapes.
+    Nothing of the solver is used: the check has its own equations of motion, and exact shapes. Only
+    dynamics of the user's own have one source; they run with `--trust` alone.
 
     **Exit code:** 0 certified · 2 bad usage or input · 4 not certified
 
@@ -110,7 +111,7 @@ def verify_command(
     def work() -> int:
         from berthing.commands.verifying import run
 
-        return run(folder, as_json=as_json)
+        return run(folder, as_json=as_json, trust=trust)
 
     raise typer.Exit(guarded(work))
 

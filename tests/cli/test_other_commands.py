@@ -17,7 +17,7 @@ def checked(monkeypatch):
 
     def find(certified):
         found = synthetic.verification(load("scenario-a"), certified)
-        monkeypatch.setattr("berthing.commands.verifying.verify_folder", lambda folder: found)
+        monkeypatch.setattr("berthing.commands.verifying.verify_folder", lambda folder, **options: found)
 
     return find
 
@@ -83,7 +83,7 @@ def test_help_loads_nothing_heavy():
 
 
 def test_mistakes_of_ours_keep_their_traceback(run, monkeypatch):
-    def broken(folder):
+    def broken(folder, **options):
         raise RuntimeError("a mistake")
 
     monkeypatch.setattr("berthing.commands.verifying.verify_folder", broken)
@@ -92,7 +92,7 @@ def test_mistakes_of_ours_keep_their_traceback(run, monkeypatch):
 
 
 def test_errors_are_one_line(run, monkeypatch):
-    def refuse(folder):
+    def refuse(folder, **options):
         raise InputError("plan.json", "is missing")
 
     monkeypatch.setattr("berthing.commands.verifying.verify_folder", refuse)

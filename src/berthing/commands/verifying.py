@@ -15,17 +15,18 @@ from berthing.verify.folder import verify_folder
 from berthing.verify.verification import Verification
 
 
-def run(folder: Path, *, as_json: bool) -> int:
+def run(folder: Path, *, as_json: bool, trust: bool = False) -> int:
     """Check the plan in a folder; the exit code.
 
     Args:
         folder: a plan folder.
         as_json: print JSON only.
+        trust: run code of the user's own that the folder holds.
 
     Raises:
-        InputError: the folder holds no plan that can be read.
+        InputError: the folder holds no plan that can be read, or code that is not trusted.
     """
-    verification = verify_folder(folder)
+    verification = verify_folder(folder, trust=trust)
     outcome = outcome_of(verification)
     if as_json:
         document = {"outcome": outcome, "verification": verification.to_json()}

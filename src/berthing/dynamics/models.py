@@ -6,12 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from berthing.dynamics import point_mass, rigid_body
+from berthing.dynamics import point_mass, rigid_body, user_model
 from berthing.dynamics.kinematics import Kinematics
 from berthing.errors import CapabilityError
 from berthing.scenario.native_state import Model
 from berthing.scenario.point_mass import PointMass
 from berthing.scenario.rigid_body import RigidBody
+from berthing.scenario.user_model import UserModel
 from berthing.sym import Sym
 
 
@@ -31,6 +32,7 @@ class SymbolicModel:
 MODELS: dict[type[Model], SymbolicModel] = {
     RigidBody: SymbolicModel(rigid_body.derivative, rigid_body.kinematics),
     PointMass: SymbolicModel(point_mass.derivative, point_mass.kinematics),
+    UserModel: SymbolicModel(user_model.derivative, user_model.kinematics),
 }
 
 

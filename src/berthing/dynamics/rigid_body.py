@@ -42,8 +42,9 @@ def derivative(model: RigidBody, t: Sym, x: Sym, u: Sym) -> Sym:
 
 def kinematics(model: RigidBody, x: Sym) -> Kinematics:
     """Pose and rates as they stand in the state."""
+    q_IB = x[6:10]
     return Kinematics(
-        x[0:3], rotation_matrix(x[6:10]), x[3:6], x[10:13], lambda q: attitude_error(q, x[6:10])
+        x[0:3], rotation_matrix(q_IB), x[3:6], x[10:13], lambda q: attitude_error(q, q_IB), q_IB
     )
 
 

@@ -126,7 +126,7 @@ def _turned(phase: Phase, ends: dict[str, _Ends]) -> list[Guess]:
     middle: dict[str, tuple[Array, Array | None]] = {}
     for vehicle in phase.vehicles:
         end = ends[vehicle.name]
-        if vehicle.dim == 3 and "qw" in vehicle.model.state_names:
+        if vehicle.dim == 3 and vehicle.model.turns:
             q = _along(vehicle.body, end)
             middle[vehicle.name] = (0.5 * (end.r0 + end.r1), q)
     return [_guess("turned along the way", phase, ends, middle)] if middle else []

@@ -47,7 +47,8 @@ def motion_along(guess: Guess, phase: Phase, mesh: Mesh, duration_s: float) -> M
     states, controls = {}, {}
     for vehicle in phase.vehicles:
         path = guess.paths[vehicle.name]
-        states[vehicle.name] = _states(vehicle, path, fractions, duration_s).T
+        x = _states(vehicle, path, fractions, duration_s)
+        states[vehicle.name] = _with_native(vehicle, x, fractions).T
         nu = len(vehicle.model.control_names)
         controls[vehicle.name] = np.zeros((nu, mesh.control_count))
     return Motion(duration_s, states, controls)
@@ -65,6 +66,15 @@ def _states(vehicle: Vehicle, path: VehiclePath, fractions: Array, duration_s: f
     s = _progress(fractions)
     q = _continuous(attitude(s).as_quat(scalar_first=True), path.q_IB[0])
     return vehicle.model.assemble(position(s), q, velocity, turn.as_rotvec() / step_s)
+
+
+def _with_native(vehicle: Vehicle, x: Array, fractions: Array) -> Array:
+    """States (n, nx) with the components that the ends give by name, straight from one to other."""
+    names, first, last = vehicle.model.state_names, vehicle.start.states, vehicle.goal.states
+    for name in {**first, **last}:
+        known = [given[name] for given in (first, last) if name in given]
+        x[:, names.index(name)] = known[0] + fractions * (known[-1] - known[0])
+    return x
 
 
 def _knots(path: VehiclePath, radius_m: float) -> Array:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from pydantic import TypeAdapter
 
 from berthing.errors import InputError
+from berthing.scenario.build.user_code import with_code
 from berthing.scenario.build.whole import build_scenario
 from berthing.scenario.library import case_path, library
 from berthing.scenario.reading import read
@@ -24,7 +26,8 @@ SUFFIXES = (".yaml", ".yml", ".json")
 def load(name_or_path: str | Path) -> Scenario:
     """The scenario of that name in the library, or in that file.
 
-    A name of the library wins; write ``./name`` for a file of the same name.
+    A name of the library wins; write ``./name`` for a file of the same name. Python files that a
+    scenario's file names as the user's own code are run.
 
     Raises:
         InputError: no such scenario, or anything wrong in it, with file, line and key path.
@@ -39,17 +42,22 @@ def load(name_or_path: str | Path) -> Scenario:
     except OSError as error:
         raise InputError(quoted(given), f"cannot be read: {error.strerror}") from None
     if is_file:
-        return _build(read(path))
+        return _build(replace(read(path), folder=path.parent, trusted=True))
     raise _unknown(given, path)
 
 
-def from_document(document: Mapping[str, Any], source: str = "scenario") -> Scenario:
+def from_document(
+    document: Mapping[str, Any], source: str = "scenario", *, trust: bool = False
+) -> Scenario:
     """The scenario in a dict, such as the ``document`` of another; ``source`` is for errors.
 
+    Args:
+        trust: run the user's own code that the document holds or names.
+
     Raises:
-        InputError: anything wrong in it, with the key path.
+        InputError: anything wrong in it, with the key path; code that is not to be run.
     """
-    return _build(Source(source, document))
+    return _build(Source(source, document, trusted=trust))
 
 
 def json_schema() -> dict[str, Any]:
@@ -64,7 +72,7 @@ def json_schema() -> dict[str, Any]:
 
 def _build(source: Source) -> Scenario:
     file, source = validated(source)
-    return build_scenario(file, source)
+    return build_scenario(with_code(file, source), source)
 
 
 def _unknown(given: str, path: Path) -> InputError:

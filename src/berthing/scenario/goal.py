@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -39,6 +40,7 @@ class End:
         velocity_m_s: relative to F, axes of F (dim,); None where it is free.
         rate_rad_s: of the body relative to F, body axes (3,); None where it is free.
         frame: None for the inertial frame, else the name of a structure.
+        states: native components that are given besides, by name: a mass, a steering angle.
 
     Raises:
         InputError: wrong shapes, numbers that are not finite, a negative tolerance.
@@ -50,6 +52,7 @@ class End:
     velocity_m_s: Array | None = None
     rate_rad_s: Array | None = None
     frame: str | None = None
+    states: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         position = as_array(self.position_m, (None,), "position_m")
@@ -63,6 +66,8 @@ class End:
         tolerance = self.position_tolerance_m
         if not 0.0 <= tolerance < math.inf:
             raise InputError("position_tolerance_m", f"is {tolerance}", "0 or more, finite")
+        for name, value in self.states.items():
+            as_array(value, (), f"states.{name}")
 
     @property
     def dim(self) -> int:

@@ -19,6 +19,11 @@ class Model(ABC):
     kind: ClassVar[str]
 
     @property
+    def noun(self) -> str:
+        """The model in a sentence."""
+        return f"a {self.kind.replace('-', ' ')}"
+
+    @property
     @abstractmethod
     def dim(self) -> int:
         """Dimension of the workspace: 2 or 3."""
@@ -33,6 +38,16 @@ class Model(ABC):
     def control_names(self) -> tuple[str, ...]:
         """The columns of the native control (nu), units in the names."""
 
+    @property
+    def turns(self) -> bool:
+        """Whether the attitude is part of the state; of other models it is always the identity."""
+        return "qw" in self.state_names
+
+    @property
+    def tells_rates(self) -> bool:
+        """Whether the state alone tells velocity and rate."""
+        return True
+
     @abstractmethod
     def pose(self, x: Array) -> Pose:
         """Poses of the body's reference frame in the inertial one; x (..., nx)."""
@@ -41,7 +56,7 @@ class Model(ABC):
     def velocity(self, x: Array) -> tuple[Array, Array]:
         """Inertial velocity of the reference point (..., dim) and angular rate (..., 3).
 
-        The rate is in inertial axes, rad/s.
+        The rate is in inertial axes, rad/s. NaN where the model does not tell.
         """
 
     @abstractmethod

@@ -17,6 +17,7 @@ class SolverOptions:
         nodes: collocation nodes; None leaves the number to the planner.
         time_limit_s: wall time allowed; None for no limit.
         seed: of the guesses.
+        guess: where first trajectories come from, ``default`` or ``paper-continuation``.
 
     Raises:
         InputError: fewer than two nodes, a time limit not positive, a negative seed.
@@ -27,6 +28,7 @@ class SolverOptions:
     nodes: int | None = None
     time_limit_s: float | None = None
     seed: int = 0
+    guess: str = "default"
 
     def __post_init__(self) -> None:
         if self.nodes is not None and self.nodes < 2:

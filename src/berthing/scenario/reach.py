@@ -23,6 +23,7 @@ from berthing.scenario.motion import Fixed
 from berthing.scenario.phase import Phase
 from berthing.scenario.rigid_body import RigidBody
 from berthing.scenario.scenario import Scenario
+from berthing.scenario.user_model import UserModel
 from berthing.scenario.vehicle import Vehicle
 
 # Relative room for rounding: what exceeds its bound by less may be reachable.
@@ -33,13 +34,13 @@ def check(scenario: Scenario, phase: Phase, vehicle: Vehicle) -> None:
     """Refuse ends outside the vehicle's limits, and a goal provably out of its reach.
 
     Where an end rides on a moving structure and the clock is not known beforehand (a free
-    horizon), nothing is claimed.
+    horizon), nothing is claimed; nor of models of the user's own.
 
     Raises:
         InputError: with the bound and the numbers.
     """
     ends = _resolved(scenario, phase, vehicle)
-    if ends is None:
+    if ends is None or isinstance(vehicle.model, UserModel):
         return
     start, goal = ends
     for name, end in (("start", start), ("goal", goal)):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path as FilePath
 from typing import Any
 
 from berthing.errors import InputError
@@ -32,12 +33,16 @@ class Source:
         raw: the document before validation.
         lines: 1-based line of a key path in the text.
         shorthand: whether ``raw`` has the keys of its only phase at its top.
+        folder: from which its paths lead; None for the working directory.
+        trusted: whether code of the user's own may be run.
     """
 
     name: str
     raw: Any
     lines: Lines = no_lines
     shorthand: bool = False
+    folder: FilePath | None = None
+    trusted: bool = False
 
     def error(self, path: Sequence[Any], what: str, expected: str = "") -> InputError:
         """An error at a key path of the normal form, told in the keys that the user wrote."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from pydantic import ValidationError
@@ -53,7 +54,7 @@ def _normal_form(source: Source) -> tuple[dict[str, Any], Source]:
         return document, source
     phase = {key: document.pop(key) for key in given}
     document["phases"] = [{"name": MAIN, **phase}]
-    return document, Source(source.name, source.raw, source.lines, shorthand=True)
+    return document, replace(source, shorthand=True)
 
 
 def _told(source: Source, finding: ErrorDetails, others: int) -> InputError:

@@ -7,10 +7,14 @@ from functools import partial
 import casadi as ca
 import numpy as np
 
+from berthing.dynamics.casadi_xp import CASADI
 from berthing.dynamics.models import symbolic
+from berthing.geometry.arrays import Array
+from berthing.scenario.cost import RunningCost
 from berthing.transcription.elements import Index, Kernel
 from berthing.transcription.inputs import Inputs
 from berthing.transcription.layout import PhaseLayout, VehicleLayout
+from berthing.transcription.nodes import declare_node, node_values
 
 
 def add_defects(layout: PhaseLayout) -> dict[str, list[Index]]:
@@ -62,7 +66,7 @@ def _dynamics_kernel(layout: PhaseLayout, owner: VehicleLayout) -> tuple[Inputs,
 
 
 def add_cost(layout: PhaseLayout, cost_scale: float) -> None:
-    """Add ∫ (control_energy ‖u‖² + time) dt over ``cost_scale`` to the objective."""
+    """Add ∫ (control_energy ‖u‖² + time + Σ h) dt over ``cost_scale`` to the objective."""
     cost = layout.phase.cost
     weights = quadrature(layout)
     for owner in layout.vehicles.values():
@@ -75,10 +79,25 @@ def add_cost(layout: PhaseLayout, cost_scale: float) -> None:
             "u": owner.control.indices.T, "weight": weights,
         }  # fmt: skip
         inputs.add(layout.elements, kernel, values, np.empty((len(weights), 0)))
+    for running in cost.running:
+        _add_running(layout, layout.vehicles[running.vehicle], running, weights, cost_scale)
     inputs = Inputs()
     duration = layout.declare_duration(inputs)
     kernel = inputs.kernel(ca.SX(0, 1), cost.time * duration / cost_scale)
     inputs.add(layout.elements, kernel, layout.shared_indices(1), np.empty((1, 0)))
+
+
+def _add_running(
+    layout: PhaseLayout, owner: VehicleLayout, running: RunningCost, weights: Array, scale: float
+) -> None:
+    """Add ∫ h(t, x, u) dt, h the user's own."""
+    inputs = Inputs()
+    node = declare_node(layout, owner, inputs)
+    weight = inputs.constant("weight")
+    h = running.function(node.t, node.x, node.u, CASADI, 1)
+    kernel = inputs.kernel(ca.SX(0, 1), node.duration * weight * h / scale)
+    values = node_values(layout, owner) | {"weight": weights}
+    inputs.add(layout.elements, kernel, values, np.empty((len(weights), 0)))
 
 
 def quadrature(layout: PhaseLayout) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

@@ -13,7 +13,7 @@ from berthing.dynamics.rotation import quaternion_product
 from berthing.errors import InputError
 from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array
-from berthing.scenario.attitude import AxisAttitude, FixedAttitude, FreeAttitude
+from berthing.scenario.attitude import AxisAttitude, FixedAttitude
 from berthing.scenario.goal import End
 from berthing.sym import Sym
 from berthing.transcription.elements import Index
@@ -50,7 +50,8 @@ class _EndRows:
         t = self.layout.t0_s + self.layout.declare_duration(self.inputs) * self.fraction
         frame = self._frame(end, t)
         self._place(end, body, frame)
-        self._attitude(end, body, x, frame)
+        self._attitude(end, body, frame)
+        self._native(end, x)
         kernel = self.inputs.kernel(ca.vertcat(*self.expressions))
         values = self.layout.shared_indices(1) | self.indices
         values["x"] = self.owner.state.indices[:, self.column]
@@ -61,14 +62,17 @@ class _EndRows:
         arm = ca.mtimes(frame.rotation, target)
         offset = (body.position - frame.position - arm) / self.length
         self._position(end, offset)
-        if end.velocity_m_s is not None:
+        if end.velocity_m_s is not None and body.velocity is not None:
             relative = ca.mtimes(frame.rotation, self._parameter("velocity", end.dim))
             swept = _cross(frame.rate, arm, end.dim)
             gap = body.velocity - frame.velocity - swept - relative
             self._equal(gap * self.time / self.length, "velocity")
         if end.rate_rad_s is not None and body.rate_body is not None:
-            turned = ca.mtimes(body.rotation.T, frame.rate)
-            gap = body.rate_body - self._parameter("rate", 3) - turned
+            relative = self._parameter("rate", 3)
+            if end.dim == 2:
+                gap = body.rate_body - relative[2] - frame.rate[2]
+            else:
+                gap = body.rate_body - relative - ca.mtimes(body.rotation.T, frame.rate)
             self._equal(gap * self.time / np.pi, "rate")
 
     def _frame(self, end: End, t: Sym) -> Frame:
@@ -84,18 +88,22 @@ class _EndRows:
             radius = end.position_tolerance_m / self.length
             self._between(ca.sumsqr(offset) / radius**2, 0.0, 1.0, "position")
 
-    def _attitude(self, end: End, body: Kinematics, x: Sym, frame: Frame) -> None:
-        if isinstance(end.attitude, FreeAttitude) or body.attitude_error is None:
-            self._fix_norm(end, body, x)
-        elif isinstance(end.attitude, FixedAttitude):
-            self._fixed(end.attitude, end, body, x, frame)
-        else:
+    def _attitude(self, end: End, body: Kinematics, frame: Frame) -> None:
+        if body.attitude_error is not None and isinstance(end.attitude, FixedAttitude):
+            self._fixed(end.attitude, end, body, frame)
+        elif body.attitude_error is not None and isinstance(end.attitude, AxisAttitude):
             self._axis(end.attitude, body, frame)
-            self._fix_norm(end, body, x)
+        self._fix_norm(body)
 
-    def _fixed(
-        self, wanted: FixedAttitude, end: End, body: Kinematics, x: Sym, frame: Frame
-    ) -> None:
+    def _native(self, end: End, x: Sym) -> None:
+        """Components of the state that are given by name."""
+        names = list(end.states)
+        if names:
+            columns = [self.owner.vehicle.model.state_names.index(name) for name in names]
+            gap = x[columns] - self._parameter("states", len(names))
+            self._equal(gap / ca.DM(self.owner.scale.state[columns]), ", ".join(names))
+
+    def _fixed(self, wanted: FixedAttitude, end: End, body: Kinematics, frame: Frame) -> None:
         assert body.attitude_error is not None
         q_FB = self._parameter("attitude", 4)
         q_IB = q_FB if end.frame is None else quaternion_product(self._q_frame(frame), q_FB)
@@ -105,7 +113,6 @@ class _EndRows:
         else:
             reach = np.sin(0.5 * wanted.tolerance_rad) ** 2
             self._between(ca.sumsqr(error) / reach, 0.0, 1.0, "attitude")
-        self._fix_norm(end, body, x)
 
     def _axis(self, wanted: AxisAttitude, body: Kinematics, frame: Frame) -> None:
         axis = ca.mtimes(body.rotation, ca.DM(wanted.body_axis))
@@ -119,10 +126,10 @@ class _EndRows:
             floor = float(np.cos(wanted.tolerance_rad))
             self._between(ca.dot(axis, world), floor, np.inf, "axis")
 
-    def _fix_norm(self, end: End, body: Kinematics, x: Sym) -> None:
+    def _fix_norm(self, body: Kinematics) -> None:
         """‖q‖ = 1 at the start; the kinematics conserve it, so that a second row would depend."""
-        if self.kind == "start" and body.rate_body is not None:
-            self._between(ca.sumsqr(x[6:10]), 1.0, 1.0, "quaternion norm")
+        if self.kind == "start" and body.quaternion is not None:
+            self._between(ca.sumsqr(body.quaternion), 1.0, 1.0, "quaternion norm")
 
     def _q_frame(self, frame: Frame) -> Sym:
         """A quaternion of the frame's rotation, sign and norm immaterial.
@@ -130,7 +137,7 @@ class _EndRows:
         Columns of qqᵀ are multiples of q; the one with the largest diagonal at the nominal time
         is away from zero there.
         """
-        R = frame.rotation
+        R = ca.diagcat(frame.rotation, 1) if frame.rotation.shape[0] == 2 else frame.rotation
         columns = [
             ca.vertcat(1 + R[0, 0] + R[1, 1] + R[2, 2],
                        R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]),
@@ -171,6 +178,7 @@ def end_parameters(key: str, end: End) -> dict[str, Array]:
         f"{key}/velocity": np.zeros(end.dim) if end.velocity_m_s is None else end.velocity_m_s,
         f"{key}/rate": np.zeros(3) if end.rate_rad_s is None else end.rate_rad_s,
         f"{key}/attitude": quaternion.normalise(attitude),
+        f"{key}/states": np.array(list(end.states.values())),
     }
 
 

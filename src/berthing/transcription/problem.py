@@ -18,7 +18,8 @@ from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.structure import Structure
 from berthing.scenario.vehicle import Vehicle
-from berthing.transcription.defects import add_cost, add_defects, quadrature
+from berthing.transcription.cost import phase_cost
+from berthing.transcription.defects import add_cost, add_defects
 from berthing.transcription.elements import Index
 from berthing.transcription.ends import add_ends, end_parameters
 from berthing.transcription.lagrange import interpolation_matrix
@@ -31,6 +32,7 @@ from berthing.transcription.layout import (
 )
 from berthing.transcription.limits import add_limits
 from berthing.transcription.mesh import Mesh
+from berthing.transcription.path_constraints import add_path_constraints
 from berthing.transcription.scaling import phase_scale
 from berthing.transcription.separation import (
     Normals,
@@ -162,9 +164,7 @@ class Problem:
 
     def cost(self, motion: Motion) -> float:
         """The phase's cost of ``motion`` in physical units, regularisers excluded."""
-        weights, cost = quadrature(self.layout), self.phase.cost
-        power = sum(np.sum(u**2, axis=0) for u in motion.controls.values())
-        return motion.duration_s * (cost.control_energy * float(weights @ power) + cost.time)
+        return phase_cost(self.layout, motion.duration_s, motion.states, motion.controls)
 
     def _site_values(
         self, scenario: Scenario, motion: Motion, normals: Normals, eps: float
@@ -257,6 +257,7 @@ def build(
     add_cost(layout, scale.cost)
     add_ends(layout)
     add_limits(layout)
+    add_path_constraints(layout)
     places = Places(layout)
     separation = add_separation(layout, pairs, formulations, sites, places, regulariser)
     sweeps = add_sweeps(layout, pairs, formulations, separation, places, sweep_within, regulariser)

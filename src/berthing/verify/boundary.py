@@ -25,6 +25,7 @@ class EndErrors:
     Attributes:
         phase, vehicle: names. end: ``start`` or ``goal``.
         position_m, attitude_rad, velocity_m_s, rate_rad_s: distances from the set.
+        native: the largest error of a native component that is given by name, in its unit.
     """
 
     phase: str
@@ -35,6 +36,7 @@ class EndErrors:
     attitude_rad: float
     velocity_m_s: float
     rate_rad_s: float
+    native: float = 0.0
 
     @property
     def reasons(self) -> list[str]:
@@ -44,6 +46,7 @@ class EndErrors:
             "attitude": (self.attitude_rad, "rad"),
             "velocity": (self.velocity_m_s, "m/s"),
             "rate": (self.rate_rad_s, "rad/s"),
+            "native state": (self.native, "of its unit"),
         }
         return [
             f"{self.end}[{self.vehicle}, {name}, t = {self.time_s:.6g} s] is missed by "
@@ -85,7 +88,14 @@ def _errors(
         max(0.0, float(wanted.attitude.error_rad(q)) - tolerance),
         _distance(velocity, wanted.velocity_m_s),
         _distance(rate @ rotation, wanted_rate),
+        _native_error(vehicle, end, x),
     )
+
+
+def _native_error(vehicle: Vehicle, end: End, x: Array) -> float:
+    names = vehicle.model.state_names
+    errors = [abs(float(x[names.index(name)]) - value) for name, value in end.states.items()]
+    return float(np.max(errors)) if errors else 0.0
 
 
 def _distance(found: Array, wanted: Array | None) -> float:

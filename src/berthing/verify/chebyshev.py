@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
+import numpy.typing as npt
 from numpy.polynomial import chebyshev
 
 from berthing.geometry.arrays import Array
@@ -62,6 +63,22 @@ def restrict(coefficients: Array, low: Array, high: Array) -> Array:
     s = 0.5 * ((low + high)[:, None] + (high - low)[:, None] * nodes)
     values = basis(s.ravel(), count).reshape(*s.shape, count) @ coefficients
     return np.asarray(inverse @ values)
+
+
+def split(
+    t0_s: Array, t1_s: Array, coefficients: Array, parts: npt.NDArray[np.intp]
+) -> tuple[Array, Array, Array]:
+    """Each polynomial i, lasting from t0_s[i] to t1_s[i], cut into parts[i] equal pieces.
+
+    A piece ends exactly where the next one begins.
+    """
+    index = np.repeat(np.arange(len(t0_s)), parts)
+    step = np.arange(len(index)) - np.repeat(np.cumsum(parts) - parts, parts)
+    low, high = step / parts[index], (step + 1) / parts[index]
+    start, span = t0_s[index], (t1_s - t0_s)[index]
+    end = np.where(step + 1 == parts[index], t1_s[index], start + high * span)
+    pieces = restrict(coefficients[index], 2.0 * low - 1.0, 2.0 * high - 1.0)
+    return start + low * span, end, pieces
 
 
 def norm_ceiling(coefficients: Array) -> Array:

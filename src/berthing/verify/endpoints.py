@@ -107,7 +107,7 @@ def _pose(
 
 def _turns(owner: Vehicle | Structure) -> bool:
     """Whether the attitude is part of the vehicle's state; of others it is always the identity."""
-    return isinstance(owner, Vehicle) and "qw" in owner.model.state_names
+    return isinstance(owner, Vehicle) and owner.model.turns
 
 
 def _structure_pose(structure: Structure, t: float | None) -> Pose | None:

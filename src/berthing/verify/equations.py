@@ -1,5 +1,7 @@
 """Equations of motion in NumPy, written for the checks and shared with nobody.
 
+Only models of the user's own have one source; a verification says so (``model_check``).
+
 The rigid body is kept as the paper writes it, in body velocities ν = (v_B, ω_B):
 M_t ν̇ + l(ν) = q + q^m, with l(ν) corrected by −ω^× c^× ω in its first row, which ω^× ∂T/∂v with
 ∂T/∂v = m v − c^× ω asks for.
@@ -17,7 +19,9 @@ from berthing.geometry.arrays import Array, skew
 from berthing.scenario.native_state import Model
 from berthing.scenario.point_mass import PointMass
 from berthing.scenario.rigid_body import RigidBody
+from berthing.scenario.user_model import UserModel
 from berthing.scenario.wrench import Wrench
+from berthing.xp import NUMPY
 
 # ẋ (nx,) at the time t, the state x (nx,) and the control u (nu,), native units.
 Derivative = Callable[[float, Array, Array], Array]
@@ -37,6 +41,8 @@ def derivative(model: Model) -> Derivative:
 
 def knots_s(model: Model) -> Array:
     """Times at which the right-hand side has kinks (k,)."""
+    if isinstance(model, UserModel):
+        return np.array(model.kinks_s, dtype=np.float64)
     wrenches = model.wrenches if isinstance(model, RigidBody) else ()
     return np.concatenate([np.empty(0), *(w.times_s for w in wrenches)])
 
@@ -46,6 +52,15 @@ def _point_mass(model: PointMass) -> Derivative:
 
     def rates(t: float, x: Array, u: Array) -> Array:
         return np.concatenate([x[d:], u / mass])
+
+    return rates
+
+
+def _user(model: UserModel) -> Derivative:
+    """The user's own, in numbers: the same source as the solver's."""
+
+    def rates(t: float, x: Array, u: Array) -> Array:
+        return np.asarray(model.f(t, x, u, NUMPY))
 
     return rates
 
@@ -160,4 +175,5 @@ def _cross(a: Array, b: Array) -> Array:
 _MODELS: dict[type[Model], Callable[..., Derivative]] = {
     RigidBody: _rigid_body,
     PointMass: _point_mass,
+    UserModel: _user,
 }

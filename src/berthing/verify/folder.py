@@ -29,18 +29,24 @@ SCHEMA_VERSION = 1
 
 
 def verify_folder(
-    folder: str | Path, *, settings: CertificateSettings = DEFAULT_CERTIFICATE
+    folder: str | Path,
+    *,
+    settings: CertificateSettings = DEFAULT_CERTIFICATE,
+    trust: bool = False,
 ) -> Verification:
     """Check the plan in a folder: the trajectory, and that its files agree with each other.
 
     What plan.json itself claims of the plan is not believed.
 
+    Args:
+        trust: run code of the user's own that the folder holds.
+
     Raises:
-        InputError: a file is missing, malformed or of another schema, or the plan does not belong
-            to its scenario.
+        InputError: a file is missing, malformed or of another schema, the plan does not belong
+            to its scenario, or that holds code which is not trusted.
         CapabilityError: a model, motion or shape that the checks do not know.
     """
-    scenario, plan, faults = _read(Path(folder))
+    scenario, plan, faults = _read(Path(folder), trust)
     table = read_trajectory(Path(folder) / TRAJECTORY_CSV)
     verification = verify(scenario, plan, settings=settings)
     return verification.with_reasons(
@@ -48,17 +54,17 @@ def verify_folder(
     )
 
 
-def read_plan(folder: str | Path) -> tuple[Scenario, Plan]:
+def read_plan(folder: str | Path, *, trust: bool = False) -> tuple[Scenario, Plan]:
     """The scenario and the plan in a folder, unchecked.
 
     Raises:
         InputError: as for ``verify_folder``.
     """
-    scenario, plan, _ = _read(Path(folder))
+    scenario, plan, _ = _read(Path(folder), trust)
     return scenario, plan
 
 
-def _read(folder: Path) -> tuple[Scenario, Plan, list[str]]:
+def _read(folder: Path, trust: bool) -> tuple[Scenario, Plan, list[str]]:
     if not folder.is_dir():
         raise InputError(str(folder), "is not a folder", "a plan folder")
     record, where = read_object(folder / PLAN_JSON), str(folder / PLAN_JSON)
@@ -68,7 +74,7 @@ def _read(folder: Path) -> tuple[Scenario, Plan, list[str]]:
     document = record.get("scenario")
     if not isinstance(document, dict):
         raise InputError(f"{where}.scenario", "is not a scenario", "the whole scenario")
-    scenario = from_document(document, f"{where}.scenario")
+    scenario = from_document(document, f"{where}.scenario", trust=trust)
     interpolant = read_interpolant(folder / INTERPOLANT_JSON)
     plan = Plan(
         scenario.name,

@@ -15,9 +15,11 @@ from berthing.scenario.native_state import Model
 from berthing.scenario.point_mass import PointMass
 from berthing.scenario.rigid_body import RigidBody
 from berthing.scenario.tabulated import Tabulated
+from berthing.scenario.user_model import UserModel
 from berthing.trajectory import Segment, VehicleTrajectory
 from berthing.verify.body_motion import BodyMotion, SteadyMotion
 from berthing.verify.polynomial_motion import Piece, PolynomialMotion
+from berthing.verify.user_motion import UserMotion
 
 Span = tuple[float, float]
 
@@ -27,8 +29,11 @@ def vehicle_motion(model: Model, trajectory: VehicleTrajectory) -> BodyMotion:
 
     Raises:
         CapabilityError: the pose map of this model is not known here.
+        InputError: the user's own pose map fails.
         UnboundedAttitudeError: the quaternion comes near zero.
     """
+    if isinstance(model, UserModel):
+        return UserMotion(model, trajectory.segments)
     read = _READERS.get(type(model))
     if read is None:
         raise CapabilityError(f"no certificate for the model {model.kind!r}")

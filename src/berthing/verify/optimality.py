@@ -10,12 +10,13 @@ from berthing.geometry.arrays import Array
 from berthing.scenario.phase import Phase
 from berthing.trajectory import VehicleNodes
 from berthing.verify.equations import derivative
+from berthing.xp import NUMPY
 
 
 def hamiltonian(phase: Phase, nodes: Sequence[VehicleNodes]) -> tuple[Array, Array]:
     """Times (k,) and H = L + Σ λ·f (k,), over all vehicles, where controls and costates exist.
 
-    L = control_energy Σ‖u‖² + time. Active separation rows and limits add nothing to H, for
+    L = control_energy Σ‖u‖² + time + Σ h. Active separation rows and limits add nothing to H, for
     multiplier times constraint is zero.
 
     Args:
@@ -37,6 +38,10 @@ def hamiltonian(phase: Phase, nodes: Sequence[VehicleNodes]) -> tuple[Array, Arr
         )
         total = total + phase.cost.control_energy * np.sum(own.controls**2, axis=1)
         total = total + np.sum(own.costates * rates, axis=1)
+    for running in phase.cost.running:
+        own = next(n for n in nodes if n.vehicle == running.vehicle)
+        columns = zip(own.times_s, own.states, own.controls, strict=True)
+        total = total + [running.function(float(t), x, u, NUMPY, 1)[0] for t, x, u in columns]
     known = np.isfinite(total)
     return nodes[0].times_s[known], total[known]
 

@@ -166,9 +166,14 @@ def _errors(model: Model, a: Array, b: Array) -> tuple[Array, Array, Array, Arra
     first, second = model.pose(a), model.pose(b)
     # ‖R₁ − R₂‖_F = 2√2 sin(θ/2), which keeps small angles, unlike the trace.
     chord = np.linalg.norm(first.rotation - second.rotation, axis=(1, 2))
-    rates = zip(model.velocity(a), model.velocity(b), strict=True)
+    rates = zip(_rates(model, a), _rates(model, b), strict=True)
     return (
         np.linalg.norm(first.position - second.position, axis=1),
         2.0 * np.arcsin(np.clip(chord / np.sqrt(8.0), 0.0, 1.0)),
         *(np.linalg.norm(one - other, axis=1) for one, other in rates),
     )
+
+
+def _rates(model: Model, x: Array) -> tuple[Array, Array]:
+    """Velocity and rate; of a model that does not tell them there is nothing to compare."""
+    return model.velocity(x) if model.tells_rates else (np.zeros((len(x), 3)),) * 2

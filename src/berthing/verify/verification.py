@@ -13,6 +13,7 @@ import numpy as np
 from berthing.geometry.arrays import Array
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
+from berthing.scenario.user_model import UserModel
 from berthing.trajectory import PhaseTrajectory, Plan, VehicleNodes
 from berthing.verify.boundary import EndErrors, end_errors
 from berthing.verify.certificate import Certificate, certify, without_proof
@@ -25,11 +26,12 @@ from berthing.verify.continuity import (
 from berthing.verify.fit import require_fit
 from berthing.verify.limits import Excess, excesses
 from berthing.verify.optimality import hamiltonian, relative_drift
+from berthing.verify.path_constraints import path_excesses
 from berthing.verify.replay import Replay, replay
 from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
 from berthing.verify.verdict import UNDECIDED, PairVerdict
 
-INDEPENDENT = "independent"
+INDEPENDENT, SAME_SOURCE = "independent", "same_source"
 
 
 @dataclass(frozen=True)
@@ -48,8 +50,10 @@ class Verification:
             instants between the interpolant and the dynamics flown under its controls.
         hamiltonian_relative_drift: (max − min)/mean|H| at the nodes, the worst phase; None
             without costates.
-        limits_ok: controls, states and quaternion norms stay within their limits between nodes.
-        model_check: ``independent``: the equations of motion used here are not the solver's.
+        limits_ok: controls, states and quaternion norms stay within their limits between nodes,
+            and the user's path constraints hold there.
+        model_check: ``independent``: the equations of motion used here are not the solver's;
+            ``same_source``: those of a vehicle are the user's own, which both have used.
         certified: nothing was found wrong, and all that must be proven is.
         reasons: why not; each names what, where, when and by how much.
         pairs: a verdict for every pair and phase.
@@ -154,7 +158,11 @@ def _phase_findings(
         else without_proof(scenario, phase, trajectory),
         end_errors(scenario, phase, trajectory),
         [replay(vehicle.model, own) for vehicle, own in vehicles] if sound else [],
-        [excess for vehicle, own in vehicles for excess in excesses(vehicle, own)],
+        [
+            excess
+            for vehicle, own in vehicles
+            for excess in (*excesses(vehicle, own), *path_excesses(vehicle, own))
+        ],
         (phase.name, *hamiltonian(phase, nodes)),
     )
 
@@ -194,7 +202,7 @@ def _verify(
         replay_attitude_error_rad=max((r.attitude_error_rad for r in replays), default=math.inf),
         hamiltonian_relative_drift=max((d for d in drifts if d is not None), default=None),
         limits_ok=not any(f.excesses for f in found),
-        model_check=INDEPENDENT,
+        model_check=_model_check(scenario),
         certified=not reasons,
         reasons=reasons,
         pairs=tuple(v for f in found for v in f.certificate.verdicts),
@@ -202,6 +210,11 @@ def _verify(
         replays=replays,
         hamiltonian=tuple(f.hamiltonian for f in found),
     )
+
+
+def _model_check(scenario: Scenario) -> str:
+    own = any(isinstance(v.model, UserModel) for p in scenario.phases for v in p.vehicles)
+    return SAME_SOURCE if own else INDEPENDENT
 
 
 def _finite(value: Any) -> Any:

@@ -19,9 +19,7 @@ def check_unique(names: Sequence[str], source: Source, path: Path) -> None:
             raise source.error((*path, i, "name"), what, "a name of its own")
 
 
-def check_exists(
-    name: str, options: Sequence[str], kind: str, source: Source, path: Path
-) -> None:
+def check_exists(name: str, options: Sequence[str], kind: str, source: Source, path: Path) -> None:
     """Refuse a name that is not among the options; InputError with near matches, or all."""
     if name not in options:
         listed = f"one of: {', '.join(options)}" if options else f"no name, there being no {kind}"
@@ -32,7 +30,10 @@ def check_exists(
 def check_overrides(scenario: Scenario, source: Source) -> None:
     """Refuse overrides whose selectors do not exist, or that no pair of parts answers to."""
     pairs = [pair for phase in scenario.phases for pair in scenario.pairs(phase)]
-    owners: list[Structure | Vehicle] = [*scenario.structures, *(v for p in scenario.phases for v in p.vehicles)]
+    owners: list[Structure | Vehicle] = [
+        *scenario.structures,
+        *(v for p in scenario.phases for v in p.vehicles),
+    ]
     selectors = [o.name for o in owners]
     selectors += [f"{o.name}.{part.name}" for o in owners for part in o.body.parts]
     selectors = list(dict.fromkeys(selectors))
@@ -43,4 +44,3 @@ def check_overrides(scenario: Scenario, source: Source) -> None:
         if not any(override.concerns(pair.ref_a, pair.ref_b) for pair in pairs):
             what = f"is [{override.a}, {override.b}], which are not kept apart in any case"
             raise source.error(path, what, "a vehicle, and a structure or another vehicle")
-

@@ -9,14 +9,16 @@ import numpy as np
 
 from berthing.geometry.arrays import Array
 from berthing.scenario.build.ends import build_end
-from berthing.scenario.build.names import check_unique
+from berthing.scenario.build.names import check_exists, check_unique
 from berthing.scenario.build.parts import build_body
+from berthing.scenario.build.user_code import build_path_constraints, build_user_model
 from berthing.scenario.goal import End
 from berthing.scenario.limits import Limits
 from berthing.scenario.native_state import Model
 from berthing.scenario.point_mass import PointMass
 from berthing.scenario.rigid_body import RigidBody
 from berthing.scenario.schema.fields import Block
+from berthing.scenario.schema.user import UserModelBlock
 from berthing.scenario.schema.vehicles import (
     PointMassBlock,
     RigidBodyBlock,
@@ -52,7 +54,9 @@ def build_vehicle(
     if before is None:
         what = "is missing, and no phase before has a goal for this vehicle"
         raise source.error((*path, "start"), f"start {what}")
-    return Vehicle(block.name, body, model, limits, before, goal)
+    constraints = build_path_constraints(block.path_constraints, source, path)
+    with source.at(*path):
+        return Vehicle(block.name, body, model, limits, before, goal, constraints)
 
 
 def _rigid_body(block: RigidBodyBlock, dim: int, source: Source, path: Path) -> Model:
@@ -84,6 +88,7 @@ def _wrench(block: WrenchBlock, source: Source, path: Path) -> Wrench:
 _MODELS: dict[type[Block], Callable[[Any, int, Source, Path], Model]] = {
     RigidBodyBlock: _rigid_body,
     PointMassBlock: lambda block, dim, source, path: PointMass(block.mass_kg, dim),
+    UserModelBlock: lambda block, dim, source, path: build_user_model(block, source, path),
 }
 
 # Key of the limits block, and the native columns that it bounds by their names' beginnings.
@@ -103,6 +108,9 @@ def _limits(block: VehicleBlock, model: Model, source: Source, path: Path) -> Li
         value = getattr(block.limits, key)
         if value is not None:
             columns = [i for i, name in enumerate(names[kind]) if name.startswith(letter)]
+            if not columns:
+                what = f"limits what {model.noun} does not have"
+                raise source.error((*path, key), what, "no such limit")
             bound = _per_axis(value, len(columns), source, (*path, key))
             lower[kind][columns], upper[kind][columns] = -bound, bound
     box = block.limits.position_m
@@ -111,14 +119,26 @@ def _limits(block: VehicleBlock, model: Model, source: Source, path: Path) -> Li
         if values is not None:
             open_ended = [sign * np.inf if v is None else v for v in values]
             bound = _per_axis(open_ended, model.dim, source, (*path, "position_m", end))
-            into["state"][: model.dim] = bound
+            columns = _position_columns(model, source, (*path, "position_m"))
+            into["state"][columns] = bound
+    for kind in ("state", "control"):
+        for name, (low, high) in getattr(block.limits, f"{kind}s").items():
+            check_exists(name, names[kind], kind, source, (*path, f"{kind}s", name))
+            i = names[kind].index(name)
+            lower[kind][i] = -np.inf if low is None else low
+            upper[kind][i] = np.inf if high is None else high
     with source.at(*path):
         return Limits(lower["control"], upper["control"], lower["state"], upper["state"])
 
 
+def _position_columns(model: Model, source: Source, path: Path) -> list[int]:
+    names = [f"{axis}_m" for axis in "xyz"[: model.dim]]
+    if not set(names) <= set(model.state_names):
+        raise source.error(path, "limits what is no state of this model", "states: by name")
+    return [model.state_names.index(name) for name in names]
+
+
 def _per_axis(value: float | Sequence[float], count: int, source: Source, path: Path) -> Array:
-    if count == 0:
-        raise source.error(path, "limits what a point mass does not have", "no such limit")
     values = np.atleast_1d(np.array(value, dtype=np.float64))
     if np.ndim(value) > 0 and len(values) != count:
         raise source.error(path, f"has {len(values)} entries", f"{count}, or one number")

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from berthing.scenario import reach
 from berthing.scenario.build.names import check_exists, check_overrides, check_unique
 from berthing.scenario.build.structures import build_structure
+from berthing.scenario.build.user_code import build_running_costs
 from berthing.scenario.build.vehicles import build_vehicle
 from berthing.scenario.cost import Cost
 from berthing.scenario.goal import End
@@ -75,8 +76,9 @@ def _phase(
     )
     with source.at(*path, "horizon"):
         horizon = _horizon(block.horizon)
+    running = build_running_costs(block.cost.running, vehicles, source, (*path, "cost"))
     with source.at(*path, "cost"):
-        cost = Cost(block.cost.control_energy, block.cost.time)
+        cost = Cost(block.cost.control_energy, block.cost.time, running)
     return Phase(block.name, vehicles, horizon, cost)
 
 
@@ -141,5 +143,3 @@ def _check_reach(scenario: Scenario, source: Source) -> None:
         for j, vehicle in enumerate(phase.vehicles):
             with source.at("phases", i, "vehicles", j, "goal"):
                 reach.check(scenario, phase, vehicle)
-
-

@@ -10,6 +10,7 @@ from pydantic_core import PydanticCustomError
 
 from berthing.scenario.schema.fields import Block, Name, NonNegative, Number, Positive, Whole
 from berthing.scenario.schema.structures import StructureBlock
+from berthing.scenario.schema.user import RunningCostBlock
 from berthing.scenario.schema.vehicles import VehicleBlock
 
 
@@ -30,10 +31,11 @@ class HorizonBlock(Block):
 
 
 class CostBlock(Block):
-    """Weights of ∫ (control_energy ‖u‖² + time) dt."""
+    """Weights of ∫ (control_energy ‖u‖² + time + Σ h) dt, h the user's own."""
 
     control_energy: NonNegative = 1.0
     time: NonNegative = 0.0
+    running: list[RunningCostBlock] = Field(default=[])
 
 
 class OverrideBlock(Block):
@@ -68,6 +70,7 @@ class SolverBlock(Block):
     nodes: Annotated[Whole, Field(ge=2)] | None = None
     time_limit_s: Positive | None = None
     seed: Annotated[Whole, Field(ge=0)] = 0
+    guess: Name = "default"
 
 
 class PhaseContent(Block):

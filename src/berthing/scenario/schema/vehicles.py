@@ -20,6 +20,7 @@ from berthing.scenario.schema.fields import (
     shape_of,
 )
 from berthing.scenario.schema.shapes import Parts
+from berthing.scenario.schema.user import PathConstraintBlock, UserModelBlock
 
 Rows3 = list[Vector3]
 
@@ -57,9 +58,10 @@ class PointMassBlock(Block):
     mass_kg: Positive
 
 
-Dynamics = Annotated[RigidBodyBlock | PointMassBlock, Field(discriminator="model")]
+Dynamics = Annotated[RigidBodyBlock | PointMassBlock | UserModelBlock, Field(discriminator="model")]
 
 Bound = Annotated[list[Number | None], Field(min_length=2, max_length=3)]
+Range = Annotated[list[Number | None], Field(min_length=2, max_length=2)]
 
 
 class PositionLimits(Block):
@@ -77,6 +79,10 @@ class LimitsBlock(Block):
     max_speed_m_s: PerAxis | None = Field(default=None, description="inertial components")
     max_rate_rad_s: PerAxis | None = Field(default=None, description="body components")
     position_m: PositionLimits | None = None
+    states: dict[str, Range] = Field(
+        default={}, description="[lower, upper] of native components by name, null for none"
+    )
+    controls: dict[str, Range] = Field(default={}, description="likewise")
 
 
 class AxisBlock(Block):
@@ -111,10 +117,14 @@ class EndBlock(Block):
     position_m: Vector
     position_tolerance_m: NonNegative = 0.0
     attitude: AttitudeBlock | None = None
+    angle_rad: Number | None = Field(default=None, description="attitude in the plane")
     attitude_tolerance_rad: NonNegative = 0.0
     velocity_m_s: VectorOrFree | None = None
     rate_rad_s: Vector3OrFree | None = None
     frame: str | None = Field(default=None, description="name of a structure")
+    states: dict[str, Number] = Field(
+        default={}, description="native components that are given besides, by name"
+    )
 
     @model_validator(mode="after")
     def _tolerance_has_centre(self) -> EndBlock:
@@ -137,6 +147,7 @@ class VehicleBlock(Block):
         default=None, description="in later phases: the goal of the phase before, if absent"
     )
     goal: EndBlock
+    path_constraints: list[PathConstraintBlock] = Field(default=[])
 
 
 def _has_rows(value: object) -> bool:
