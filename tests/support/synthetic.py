@@ -196,7 +196,7 @@ def verification(of, certified=True):
         reasons=() if certified else ("clearance[a, b, t = 52 s] is short of 0.1 m by 0.08 m",),
         pairs=tuple(verdicts),
         ends=tuple(EndErrors("main", v, "goal", DURATION_S, 1e-9, 0.0, 0.0, 0.0) for v in vehicles),
-        replays=tuple(Replay(v, 3e-7, 2e-8, 1e-7, 1e-8, 140.0) for v in vehicles),
+        replays=tuple(Replay(v, 3e-7, 2e-8, 1e-9, 1e-10, 1e-7, 1e-8, 140.0) for v in vehicles),
         hamiltonian=(("main", times, 1e-4 * (1.0 + 0.01 * np.sin(times))),),
     )
 
