@@ -55,6 +55,10 @@ def plan_command(
         float | None, typer.Option(metavar="S", help="Wall time allowed, in seconds.")
     ] = None,
     seed: Annotated[int | None, typer.Option(help="Seed of the guesses.")] = None,
+    tolerance: Annotated[
+        float | None,
+        typer.Option(help="Refine until the Hamiltonian drifts by less than this of its mean."),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Plan a scenario, prove the plan, and write a plan folder.
@@ -76,6 +80,7 @@ def plan_command(
         "nodes": nodes,
         "time_limit_s": time_limit,
         "seed": seed,
+        "tolerance": tolerance,
     }
 
     def work() -> int:

@@ -89,6 +89,9 @@ def plan(
                 best = _better(best, refined)
                 if time.monotonic() > work.deadline:
                     break
+            if best is not None and work.options.tolerance is not None:
+                polished = work.refiner(search.poll).polish("best", best, work.options.tolerance)
+                work.attempts += polished
     return work.result(best)
 
 

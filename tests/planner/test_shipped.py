@@ -137,3 +137,12 @@ def test_a_broken_plan_fails_verify(
     assert runner.invoke(app, ["verify", str(broken)]).exit_code == 0
     _edit(broken, name, change)
     assert runner.invoke(app, ["verify", str(broken)]).exit_code in (2, 4)
+
+
+@pytest.mark.slow
+def test_a_tolerance_settles_the_hamiltonian(tmp_path: Path) -> None:
+    document = plan("scenario-b-tight", tmp_path / "settled", "--tolerance", "0.015")
+    verification = document["verification"]
+    assert document["outcome"] == "certified"
+    assert verification["hamiltonian_relative_drift"] <= 0.03
+    assert "refine" in document["wall_time_s"]

@@ -166,16 +166,21 @@ class Refiner:
             previous = previous if mesh == problem.mesh else None
         return result
 
-    def polish(self, name: str, result: Refinement, tolerance: float) -> None:
+    def polish(self, name: str, result: Refinement, tolerance: float) -> list[Attempt]:
         """Close in on the touches of a certified answer until the lower Hamiltonian drifts by no
-        more than ``tolerance`` of its mean; every certified step that drifts less is kept."""
+        more than ``tolerance`` of its mean; every certified step that drifts less is kept.
+
+        Returns:
+            The solves that this took.
+        """
+        attempts: list[Attempt] = []
         if result.answer is None or not result.certified:
-            return
+            return attempts
         answer, node = result.answer, 1.0 / self.mesh.control_count
         for round_ in range(POLISH_ROUNDS):
             drift = _drift(result)
             if drift <= tolerance or time.monotonic() > self.deadline:
-                return
+                break
             problem = answer.problem
             touches = active(problem, answer.outcome)
             mesh = aligned(self.mesh, joined(touches, JOIN * node))
@@ -184,9 +189,9 @@ class Refiner:
             problem = self._build(mesh, sites)
             outcome = self._solve(problem, motion, None)
             label = f"{name}, touches, round {round_ + 1}"
-            result.attempts.append(attempt(label, problem, outcome))
+            attempts.append(attempt(label, problem, outcome))
             if not outcome.solved:
-                return
+                break
             answer = Answer(problem, outcome)
             self.report(label, outcome.iterations, _least(self._sample(problem, outcome.motion)))
             step = Refinement()
@@ -194,6 +199,7 @@ class Refiner:
             if step.certified and _drift(step) < drift:
                 result.plan, result.verification = step.plan, step.verification
                 result.outcome, result.answer = outcome, answer
+        return attempts
 
     def _build(self, mesh: Mesh, sites: list[Site]) -> Problem:
         within = SWEEP * SPACING / self.mesh.control_count

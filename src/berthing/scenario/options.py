@@ -18,9 +18,11 @@ class SolverOptions:
         time_limit_s: wall time allowed; None for no limit.
         seed: of the guesses.
         guess: where first trajectories come from, ``default`` or ``paper-continuation``.
+        tolerance: drift of the lower Hamiltonian, relative to its mean, down to which the mesh is
+            refined about the touches; None leaves the first certified plan as it is.
 
     Raises:
-        InputError: fewer than two nodes, a time limit not positive, a negative seed.
+        InputError: fewer than two nodes, a time limit or a tolerance not positive, a negative seed.
     """
 
     formulation: str = "plane"
@@ -29,11 +31,14 @@ class SolverOptions:
     time_limit_s: float | None = None
     seed: int = 0
     guess: str = "default"
+    tolerance: float | None = None
 
     def __post_init__(self) -> None:
         if self.nodes is not None and self.nodes < 2:
             raise InputError("nodes", f"is {self.nodes}", "2 or more")
         if self.time_limit_s is not None and not self.time_limit_s > 0.0:
             raise InputError("time_limit_s", f"is {self.time_limit_s}", "a positive number")
+        if self.tolerance is not None and not self.tolerance > 0.0:
+            raise InputError("tolerance", f"is {self.tolerance}", "a positive number")
         if self.seed < 0:
             raise InputError("seed", f"is {self.seed}", "0 or more")

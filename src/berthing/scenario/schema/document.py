@@ -71,6 +71,7 @@ class SolverBlock(Block):
     time_limit_s: Positive | None = None
     seed: Annotated[Whole, Field(ge=0)] = 0
     guess: Name = "default"
+    tolerance: Positive | None = None
 
 
 class PhaseContent(Block):
