@@ -9,6 +9,7 @@ import typer
 
 from berthing._version import __version__
 from berthing.commands.guard import guarded
+from berthing.export.formats import NAMES
 
 app = typer.Typer(
     name="berthing",
@@ -117,6 +118,52 @@ def verify_command(
         from berthing.commands.verifying import run
 
         return run(folder, as_json=as_json, trust=trust)
+
+    raise typer.Exit(guarded(work))
+
+
+@app.command("export")
+def export_command(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="A plan folder.")],
+    to: Annotated[
+        str | None, typer.Option("--to", metavar="FORMAT", help=f"One of: {NAMES}.")
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="The file; named after the scenario if not given."),
+    ] = None,
+    vehicle: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Only this vehicle, where there are several.")
+    ] = None,
+    meta: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="YAML or JSON with keys that overrule the scenario's `meta:`."
+        ),
+    ] = None,
+    trust: Annotated[
+        bool,
+        typer.Option("--trust", help="Run code of the user's own that the scenario names."),
+    ] = False,
+) -> None:
+    """Write a plan as a file that other tools read.
+
+    Orbit and attitude formats need to know the epoch, the frame, its centre and who flies: the
+    scenario's `meta:` block says so, or a file given by `--meta`.
+
+    **Exit code:** 0 written · 2 bad usage or input; nothing is written · 130 interrupted
+
+    **Examples**
+
+    - `berthing export plans/scenario-a --to mat`
+    - `berthing export plans/truss --to oem --out truss.oem`
+    - `berthing export plans/truss --to aem --meta mission.yaml --vehicle carrier`
+    """
+
+    def work() -> int:
+        from berthing.commands.exporting import run
+
+        return run(folder, to, out, vehicle, meta, trust=trust)
 
     raise typer.Exit(guarded(work))
 
