@@ -128,11 +128,7 @@ class _Work:
 
     def mesh(self, segments: int) -> Mesh:
         """``segments`` of the default degree, or what the nodes asked for allow."""
-        nodes = self.options.nodes
-        if nodes is None:
-            return Mesh.uniform(self.options.scheme, segments, DEGREE)
-        degree = min(DEGREE, nodes)
-        return Mesh.uniform(self.options.scheme, max(1, round(nodes / degree)), degree)
+        return Mesh.of_nodes(self.options.scheme, self.options.nodes, segments, DEGREE)
 
     def refiner(self, meanwhile: Callable[[], None]) -> Refiner:
         """A refiner that calls ``meanwhile`` after every round."""

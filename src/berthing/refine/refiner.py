@@ -163,6 +163,9 @@ class Refiner:
             if result.certified:
                 break
             mesh, motion, sites = self._after(result, problem, motion, spacing, reach)
+            if mesh == problem.mesh and len(sites) == len(problem.separation.sites):
+                # A mesh of one segment cannot be cut: the plan stays what it is.
+                break
             previous = previous if mesh == problem.mesh else None
         return result
 

@@ -46,6 +46,10 @@ def nodes(problem: Problem, motion: Motion, multipliers: Array) -> tuple[Vehicle
     defects written D X - (h/2) f and their multipliers μ, stationarity in the controls gives
     λ_i = -μ_i / w_i at a collocated point, and stationarity in a segment's last state gives
     λ = -Σ_i D_i,end μ_i there. A point shared by two segments takes the later one's value.
+
+    Lobatto points are all collocated and λ_i = -μ_i / w_i holds at each (Gong et al.,
+    10.1007/s10589-007-9102-4), but the adjoint equations then have a differentiation matrix
+    without full rank: its null space oscillates from node to node, and costates take up some of it.
     """
     mesh = problem.mesh
     times = problem.layout.t0_s + motion.duration_s * mesh.point_fractions()

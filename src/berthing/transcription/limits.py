@@ -2,7 +2,9 @@
 
 A polynomial stays within the hull of its Bernstein coefficients, so the limits hold between the
 nodes too and can be proven there. Coefficients lie further out than the polynomial does, which
-costs a little where a limit is active; shorter segments shrink it.
+costs a little where a limit is active; shorter segments shrink it. At high degrees they lie very
+far out, and the map to them loses digits as 2^n: there the limits are put on the nodes, and what
+the polynomial does between them is left to the check of the plan.
 """
 
 from __future__ import annotations
@@ -15,6 +17,10 @@ from berthing.geometry.arrays import Array
 from berthing.transcription.elements import Index
 from berthing.transcription.lagrange import to_bernstein
 from berthing.transcription.layout import PhaseLayout, VehicleLayout
+
+HIGHEST_BERNSTEIN = 10
+"""Degree. Coefficients are off the values by up to 2^10 roundings there, and a unit step of the
+controls from one node to the next already throws them out by hundreds."""
 
 
 def add_limits(layout: PhaseLayout) -> None:
@@ -43,13 +49,14 @@ def _add(
     layout: PhaseLayout, k: int, owner: VehicleLayout, names: tuple[str, ...], columns: Index,
     points: Array, bounds: tuple[Array, Array], scaling: tuple[Array, Array],
 ) -> None:  # fmt: skip
-    bernstein = to_bernstein(points)
+    high = len(points) - 1 > HIGHEST_BERNSTEIN
+    bernstein = np.eye(len(points)) if high else to_bernstein(points)
     (lower, upper), (scale, shift) = bounds, scaling
     time_s = layout.nominal_time(layout.mesh.breaks[k])
     for c in np.flatnonzero(np.isfinite(lower) | np.isfinite(upper)):
         label = partial(_label, owner.vehicle.name, names[c], time_s)
-        low, high = (lower[c] - shift[c]) / scale[c], (upper[c] - shift[c]) / scale[c]
-        rows = layout.rows.add(len(points), low, high, label)
+        between = (lower[c] - shift[c]) / scale[c], (upper[c] - shift[c]) / scale[c]
+        rows = layout.rows.add(len(points), *between, label)
         layout.elements.add_linear(rows[:, None], columns[c][None], bernstein)
 
 

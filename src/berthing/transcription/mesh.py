@@ -8,7 +8,12 @@ import numpy as np
 
 from berthing.errors import InputError
 from berthing.geometry.arrays import Array
-from berthing.transcription.scheme import NodeSet, scheme
+from berthing.transcription.scheme import (
+    ONE_SEGMENT,
+    ONE_SEGMENT_NODES,
+    NodeSet,
+    scheme,
+)
 
 
 @dataclass(frozen=True)
@@ -40,6 +45,21 @@ class Mesh:
             scheme_name, tuple(np.linspace(0, 1, segments + 1).tolist()), (degree,) * segments
         )
 
+    @staticmethod
+    def of_nodes(scheme_name: str, nodes: int | None, segments: int, degree: int) -> Mesh:
+        """About ``nodes`` collocated nodes in segments of at most ``degree``.
+
+        Without ``nodes`` there are ``segments`` of ``degree``. A scheme of one segment takes the
+        number exactly, whatever the degree.
+        """
+        ends = len(scheme(scheme_name)(degree).collocated) - degree
+        if scheme_name in ONE_SEGMENT:
+            return Mesh.uniform(scheme_name, 1, (nodes or ONE_SEGMENT_NODES) - ends)
+        if nodes is None:
+            return Mesh.uniform(scheme_name, segments, degree)
+        degree = min(degree, nodes - ends)
+        return Mesh.uniform(scheme_name, max(1, round(nodes / (degree + ends))), degree)
+
     @property
     def segments(self) -> int:
         return len(self.degrees)
@@ -55,6 +75,16 @@ class Mesh:
     def control_offset(self, k: int) -> int:
         """Index of the first control of segment k; every segment has its own."""
         return sum(len(self.node_set(i).collocated) for i in range(k))
+
+    @property
+    def dependent(self) -> bool:
+        """Whether the defects may depend on each other: a segment has as many as points.
+
+        A unit quaternion that does not turn is such a case: q̇ = 0 at every point is one row more
+        than it takes.
+        """
+        nodes = self.node_set(0)
+        return len(nodes.collocated) == len(nodes.points)
 
     @property
     def point_count(self) -> int:
@@ -87,7 +117,9 @@ class Mesh:
         return k, float(np.clip(2.0 * (fraction - b0) / (b1 - b0) - 1.0, -1.0, 1.0))
 
     def split(self, segments: set[int]) -> Mesh:
-        """Halve the segments named."""
+        """Halve the segments named; a mesh that is one segment throughout stays as it is."""
+        if self.scheme in ONE_SEGMENT:
+            return self
         breaks, degrees = [0.0], []
         for k, degree in enumerate(self.degrees):
             if k in segments:

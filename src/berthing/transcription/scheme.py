@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from berthing.errors import InputError
 from berthing.geometry.arrays import Array
-from berthing.transcription import lgr
+from berthing.transcription import lgl, lgr
 from berthing.transcription.lagrange import differentiation_matrix
 
 
@@ -42,7 +42,29 @@ def lgr_nodes(degree: int) -> NodeSet:
     return NodeSet(support, tuple(range(degree)), weights, differentiation_matrix(support)[:degree])
 
 
-SCHEMES: dict[str, Callable[[int], NodeSet]] = {"lgr": lgr_nodes}
+@lru_cache(maxsize=64)
+def lgl_nodes(degree: int) -> NodeSet:
+    """Legendre–Gauss–Lobatto: ``degree`` + 1 points from -1 to 1, all of them collocated.
+
+    As many equations as points leave the differentiation matrix without full rank (constants have
+    no slope), so that the multipliers are not unique and costates may oscillate from node to node
+    (Garg et al., 10.1016/j.automatica.2010.06.048). Radau points have neither fault.
+    """
+    points, weights = lgl.lobatto(degree + 1)
+    return NodeSet(points, tuple(range(degree + 1)), weights, differentiation_matrix(points))
+
+
+SCHEMES: dict[str, Callable[[int], NodeSet]] = {
+    "lgr": lgr_nodes,
+    "lgl": lgl_nodes,
+    "lgl-global": lgl_nodes,
+}
+
+ONE_SEGMENT = frozenset({"lgl-global"})
+"""Schemes whose mesh is one segment throughout, as in the paper; ``lgl`` has many."""
+
+ONE_SEGMENT_NODES = 20
+"""Of such a scheme where nobody asks for another number: the paper's."""
 
 
 def scheme(name: str) -> Callable[[int], NodeSet]:
