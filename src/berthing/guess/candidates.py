@@ -11,6 +11,7 @@ from berthing.geometry.arrays import Array
 from berthing.geometry.body import Body
 from berthing.geometry.pose import Pose
 from berthing.guess.path import Guess, VehiclePath
+from berthing.guess.thrust import pushing_attitude, turned_onto
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.vehicle import Vehicle
@@ -41,7 +42,7 @@ def candidates(scenario: Scenario, phase: Phase, seed: int) -> list[Guess]:
     """Guesses in the order in which they are worth trying."""
     duration = phase.horizon.nominal_s
     ends = {v.name: _ends(scenario, v, duration) for v in phase.vehicles}
-    out = [_guess("straight", phase, ends, {})]
+    out = [_guess("straight", phase, ends, {}), *_pushing(phase, ends)]
     if not scenario.structures and len(phase.vehicles) < 2:
         return out
     out += _turned(phase, ends)
@@ -138,13 +139,20 @@ def _along(body: Body, end: _Ends) -> Array:
     spans = [body_support(body, identity, a) + body_support(body, identity, -a) for a in axes]
     long_axis = axes[int(np.argmax(spans))]
     now = quaternion.rotation_matrix(end.q0) @ long_axis
-    target = end.along if now @ end.along >= 0.0 else -end.along
-    normal = np.cross(now, target)
-    sine = float(np.linalg.norm(normal))
-    if sine < 1e-9:
-        return end.q0
-    angle = np.asarray(np.arctan2(sine, now @ target))
-    return np.asarray(quaternion.multiply(quaternion.from_axis_angle(normal / sine, angle), end.q0))
+    return turned_onto(now, end.along if now @ end.along >= 0.0 else -end.along, end.q0)
+
+
+def _pushing(phase: Phase, ends: dict[str, _Ends]) -> list[Guess]:
+    """Straight, turned in between so that each body pushes hardest: where time is to be won."""
+    if not phase.horizon.is_free:
+        return []
+    middle: dict[str, tuple[Array, Array | None]] = {}
+    for vehicle in phase.vehicles:
+        end = ends[vehicle.name]
+        q = pushing_attitude(vehicle, end.q0, end.along)
+        if q is not None:
+            middle[vehicle.name] = (0.5 * (end.r0 + end.r1), q)
+    return [_guess("pushing along the way", phase, ends, middle)] if middle else []
 
 
 def _random(
