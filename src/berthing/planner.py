@@ -22,6 +22,7 @@ from berthing.scenario.scenario import Scenario
 from berthing.solve.ipopt import Budget, Solver, Start
 from berthing.solve.outcome import ADVICE, Outcome
 from berthing.solve.parallel import SolvePool, cores
+from berthing.transcription.kinks import kink_fractions, through
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Motion, Problem, build
 from berthing.transcription.sites import node_sites
@@ -127,8 +128,10 @@ class _Work:
         self.progress(ProgressEvent(stage, detail, self.iterations, self.clearance_m))
 
     def mesh(self, segments: int) -> Mesh:
-        """``segments`` of the default degree, or what the nodes asked for allow."""
-        return Mesh.of_nodes(self.options.scheme, self.options.nodes, segments, DEGREE)
+        """``segments`` of the default degree, or what the nodes asked for allow; and breaks where
+        the dynamics have kinks."""
+        plain = Mesh.of_nodes(self.options.scheme, self.options.nodes, segments, DEGREE)
+        return through(plain, kink_fractions(self.phase))
 
     def refiner(self, meanwhile: Callable[[], None]) -> Refiner:
         """A refiner that calls ``meanwhile`` after every round."""
