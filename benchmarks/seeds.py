@@ -1,0 +1,92 @@
+"""The shipped cases over many seeds, as whole processes: success, time, cost, clearance, replay.
+
+Each plan is made by the command line in a process of its own, and its folder is checked by
+``tests/support/outside.py``, which shares no code with the package.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from statistics import median
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+
+from support import outside
+
+CASES = ("scenario-a", "scenario-b", "scenario-b-tight")
+SAMPLES = 6001
+
+
+def run(name: str, seed: int) -> dict:
+    """Plan one case and look at what came out."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch) / "plan"
+        command = [sys.executable, "-m", "berthing", "plan", name, "--seed", str(seed)]
+        began = time.perf_counter()
+        done = subprocess.run([*command, "--out", str(folder)], capture_output=True, check=False)
+        seconds = time.perf_counter() - began
+        row = {"case": name, "seed": seed, "exit": done.returncode, "seconds": round(seconds, 2)}
+        if (folder / "plan.json").exists():
+            document = json.loads((folder / "plan.json").read_text())
+            found = document["verification"]
+            replay, goal = found["replays"][0], found["ends"][-1]
+            row |= {
+                "cost": document["cost"],
+                "bound_m": found["clearance_lower_bound_m"],
+                "outside_m": outside.least_distance(folder, SAMPLES),
+                "replay_m": replay["end_position_error_m"],
+                "replay_deg": math.degrees(replay["end_attitude_error_rad"]),
+                "goal_m": goal["position_m"],
+                "hamiltonian_drift": found["hamiltonian_relative_drift"],
+            }
+        return row
+
+
+def table(rows: list[dict]) -> str:
+    """A line a case: counts, medians and worst values."""
+    lines = [
+        "| case | certified | median s | worst s | cost, least to most | bound ≥ | outside ≥ "
+        "| replay ≤ |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for name in dict.fromkeys(row["case"] for row in rows):
+        mine = [row for row in rows if row["case"] == name]
+        good = [row for row in mine if row["exit"] == 0]
+        seconds = [row["seconds"] for row in mine]
+        if not good:
+            lines.append(f"| {name} | 0 of {len(mine)} | {median(seconds):.1f} | | | | | |")
+            continue
+        costs = [row["cost"] for row in good]
+        lines.append(
+            f"| {name} | {len(good)} of {len(mine)} | {median(seconds):.1f} | {max(seconds):.1f} "
+            f"| {min(costs):.7f} to {max(costs):.7f} | {min(r['bound_m'] for r in good):.5f} m "
+            f"| {min(r['outside_m'] for r in good):.5f} m "
+            f"| {max(r['replay_m'] for r in good):.1e} m, "
+            f"{max(r['replay_deg'] for r in good):.1e}° |"
+        )
+    return "\n".join(lines)
+
+
+def main(arguments: list[str]) -> int:
+    """Run, print the table, write the rows."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks seeds")
+    parser.add_argument("--json", type=Path)
+    parser.add_argument("--seeds", type=int, default=20)
+    parser.add_argument("--case", action="append", choices=CASES)
+    options = parser.parse_args(arguments)
+    rows = []
+    for name in options.case or CASES:
+        for seed in range(options.seeds):
+            rows.append(run(name, seed))
+            print(rows[-1], flush=True)
+    print(table(rows))
+    if options.json:
+        options.json.write_text(json.dumps(rows, indent=1))
+    return 0
