@@ -11,7 +11,9 @@ from berthing.scenario.files import load
 from berthing.scenario.library import library
 from berthing.scenario.rigid_body import RigidBody
 from berthing.scenario.scenario import Scenario
+from berthing.verify.endpoints import check_endpoints
 
+PAPER = ["free-space", "scenario-a", "scenario-b", "scenario-b-tight"]
 MARGIN = 0.1
 GAP = 0.15
 
@@ -33,13 +35,18 @@ def end_distances(name: str, end: str) -> dict[str, float]:
 
 
 @pytest.mark.parametrize("name", library())
+def test_no_case_begins_or_ends_too_close(name: str) -> None:
+    check_endpoints(load(name))
+
+
+@pytest.mark.parametrize("name", PAPER)
 def test_starts_and_goals_keep_the_margin(name: str) -> None:
     assert load(name).margins.default_m == MARGIN
     for end in ("start", "goal"):
         assert all(d > MARGIN for d in end_distances(name, end).values())
 
 
-@pytest.mark.parametrize("name", library())
+@pytest.mark.parametrize("name", PAPER)
 def test_the_spacecraft_is_the_papers(name: str) -> None:
     (phase,) = load(name).phases
     (vehicle,) = phase.vehicles
