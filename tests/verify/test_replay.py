@@ -55,7 +55,7 @@ def test_a_wiggle_of_the_interpolant_cannot_hide(make) -> None:
     segments = list(flown.segments)
     segments[4] = replace(segments[4], state=state)
     found = replay(own.model, replace(flown, segments=tuple(segments)))
-    assert found.position_error_m == pytest.approx(0.01, rel=0.1)
+    assert 0.01 - 1e-6 <= found.position_error_m <= 0.02
     assert found.end_position_error_m < 1e-9
     assert len(found.reasons) == 1
 

@@ -16,6 +16,9 @@ from numpy.polynomial import chebyshev
 
 from berthing.geometry.arrays import Array
 
+# Entries of a basis matrix that are made at a time.
+BLOCK = 2_000_000
+
 
 def basis(s: Array, count: int) -> Array:
     """T_0 … T_{count−1} at s (k,) → (k, count)."""
@@ -60,9 +63,23 @@ def restrict(coefficients: Array, low: Array, high: Array) -> Array:
     """Each polynomial i on [low_i, high_i] of its own [-1, 1], as coefficients again."""
     count = coefficients.shape[1]
     nodes, inverse = _interpolation(count)
-    s = 0.5 * ((low + high)[:, None] + (high - low)[:, None] * nodes)
-    values = basis(s.ravel(), count).reshape(*s.shape, count) @ coefficients
-    return np.asarray(inverse @ values)
+    out, step = np.empty_like(coefficients), max(1, BLOCK // count**2)
+    for start in range(0, len(coefficients), step):
+        some = slice(start, start + step)
+        s = 0.5 * ((low[some] + high[some])[:, None] + (high[some] - low[some])[:, None] * nodes)
+        values = basis(s.ravel(), count).reshape(*s.shape, count) @ coefficients[some]
+        out[some] = inverse @ values
+    return out
+
+
+def nodes(count: int) -> Array:
+    """The Chebyshev nodes of the first kind (count,) in (−1, 1)."""
+    return _interpolation(count)[0]
+
+
+def fitted(values: Array) -> Array:
+    """Coefficients (…, k, c) of the polynomials with these values (…, k, c) at ``nodes(k)``."""
+    return np.asarray(_interpolation(values.shape[-2])[1] @ values)
 
 
 def split(

@@ -26,6 +26,16 @@ REPLAY_RATE_TOLERANCE = 1e-4
 REPLAY_RELATIVE = 1e-10
 REPLAY_ABSOLUTE = 1e-11
 
+# An estimate of the replay's own error, added to the tube around the interpolant: ten times what
+# was found on the shipped cases against an integration at 1e-13. It is not proven.
+INTEGRATOR_POSITION_M = 1e-8
+INTEGRATOR_ATTITUDE_RAD = 1e-9
+
+# A claim in certificate.json that exceeds what is found by more than this is false; rounding on
+# another machine is far less. Tubes: m and rad.
+CLAIM_TOLERANCE_M = 1e-9
+TUBE_TOLERANCE = 1e-9
+
 # Limits, relative to their size. A solver meets a scaled row to about 1e-8; an actuator's limit
 # is not known to six digits.
 LIMIT_RELATIVE_TOLERANCE = 1e-6
@@ -59,9 +69,10 @@ class CertificateSettings:
             of an hour at 1e-6 m needs fewer.
         float_slack: rounding of positions, supports and plane bounds, relative to the lengths
             that enter. Most comes from the recurrence of Chebyshev polynomials, which errs by the
-            square of the degree in units of 1.1e-16; this is right up to degree 90.
-        motion_inflation: the bounds on motion are computed in floating point too; they are
-            enlarged by this factor.
+            square of the degree in units of 1.1e-16; this is twice what degree 90 needs.
+        motion_inflation: the bounds on motion are enlarged by this factor: they are computed in
+            floating point too, and others who check the certificate may have bounds that are a
+            little wider. It costs half as much in the number of intervals.
     """
 
     violation_m: float = 1e-8
@@ -69,8 +80,12 @@ class CertificateSettings:
     undecided_m: float = 1e-7
     undecided_s: float = 1e-7
     max_intervals: int = 200_000
-    float_slack: float = 1e-12
-    motion_inflation: float = 1.0 + 1e-9
+    float_slack: float = 2e-12
+    motion_inflation: float = 1.01
 
 
 DEFAULT_CERTIFICATE = CertificateSettings()
+
+# Checking a certificate that was found with the settings above: what must be allowed for, and no
+# more, so that rounding does not decide.
+CHECKED_CERTIFICATE = CertificateSettings(float_slack=1e-12, motion_inflation=1.0 + 1e-9)
