@@ -12,7 +12,7 @@ from berthing.errors import InputError
 from berthing.scenario.scenario import Scenario
 from berthing.trajectory import VehicleNodes
 from berthing.trajectory_io.columns import HEADER, native_columns
-from berthing.trajectory_io.tables import Row, column, read_table, rows_of, write_table
+from berthing.trajectory_io.tables import Table, read_table, rows_of, write_table
 
 COSTATE = "costate_"
 
@@ -44,23 +44,18 @@ def read_nodes(path: Path, scenario: Scenario) -> tuple[VehicleNodes, ...]:
         InputError: missing or malformed, a phase or vehicle that the scenario has not, a time or
             state that is missing.
     """
-    where = str(path)
-    header, rows = read_table(path)
-    for name in ("t_s", "vehicle", "phase"):
-        if name not in header:
-            raise InputError(where, f"has no column {name!r}")
-    groups: dict[tuple[str, str], list[Row]] = {}
-    for row in rows:
-        groups.setdefault((row["phase"], row["vehicle"]), []).append(row)
-    return tuple(_nodes(scenario, *key, own, where) for key, own in groups.items())
+    table = read_table(path)
+    table.cells("t_s")
+    groups = table.rows_by("phase", "vehicle").items()
+    return tuple(_nodes(scenario, phase, vehicle, table, rows) for (phase, vehicle), rows in groups)
 
 
 def _nodes(
-    scenario: Scenario, phase: str, vehicle: str, rows: Sequence[Row], where: str
+    scenario: Scenario, phase: str, vehicle: str, table: Table, rows: Sequence[int]
 ) -> VehicleNodes:
     model = scenario.phase(phase).vehicle(vehicle).model
     times, states, controls, costates = (
-        np.stack([column(rows, name, where) for name in names], axis=-1)
+        np.stack([table.numbers(name, rows) for name in names], axis=-1)
         for names in (
             ("t_s",),
             model.state_names,
@@ -69,7 +64,7 @@ def _nodes(
         )
     )
     if np.any(np.isnan(times)) or np.any(np.isnan(states)):
-        raise InputError(where, f"lacks a time or a state of {vehicle!r}")
+        raise InputError(table.where, f"lacks a time or a state of {vehicle!r}")
     return VehicleNodes(phase, vehicle, times[:, 0], states, controls, costates)
 
 

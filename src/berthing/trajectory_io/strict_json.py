@@ -12,21 +12,30 @@ import numpy as np
 from berthing.errors import InputError
 from berthing.geometry.arrays import Array
 
-# A plan of a hundred vehicles with a thousand segments each stays below; more is not a plan.
-LARGEST_FILE_BYTES = 1 << 28
+# What is read takes up to thirty times its size in memory. The trajectory.csv of sixty vehicles,
+# the largest file that there is, stays below.
+LARGEST_FILE_BYTES = 1 << 25
+
+# Values in one file: those of fifty vehicles with a thousand segments each stay below. At some 70
+# bytes each they take 300 MB.
+MOST_VALUES = 4_000_000
 
 
 def read_text(path: Path) -> str:
     """The text of a UTF-8 file.
 
     Raises:
-        InputError: the file is missing, unreadable, too large or not UTF-8.
+        InputError: the file is missing, unreadable, too large, not a file or not UTF-8.
     """
     where = str(path)
     try:
-        if path.stat().st_size > LARGEST_FILE_BYTES:
+        if path.exists() and not path.is_file():
+            raise InputError(where, "is not a file")
+        with path.open("rb") as file:
+            content = file.read(LARGEST_FILE_BYTES + 1)
+        if len(content) > LARGEST_FILE_BYTES:
             raise InputError(where, "is too large", f"at most {LARGEST_FILE_BYTES >> 20} MiB")
-        return path.read_bytes().decode("utf-8")
+        return content.decode("utf-8")
     except FileNotFoundError:
         raise InputError(where, "is missing") from None
     except OSError as error:
@@ -41,9 +50,11 @@ def read_object(path: Path) -> dict[str, Any]:
     Raises:
         InputError: anything else.
     """
-    where = str(path)
+    where, content = str(path), read_text(path)
+    if sum(map(content.count, ",[{")) > MOST_VALUES:
+        raise InputError(where, "holds too many values", f"at most {MOST_VALUES}")
     try:
-        value = json.loads(read_text(path), parse_constant=lambda name: _refuse(where, name))
+        value = json.loads(content, parse_constant=lambda name: _refuse(where, name))
     except json.JSONDecodeError as error:
         raise InputError(where, f"is not JSON: {error.msg}, line {error.lineno}") from None
     except RecursionError:
@@ -76,11 +87,15 @@ def names(parent: Mapping[str, Any], key: str, where: str) -> tuple[str, ...]:
     return tuple(value)
 
 
-def objects(parent: Mapping[str, Any], key: str, where: str) -> list[dict[str, Any]]:
-    """The list of objects under ``key``, not empty."""
+def objects(
+    parent: Mapping[str, Any], key: str, where: str, *, empty: bool = False
+) -> list[dict[str, Any]]:
+    """The list of objects under ``key``, which may be ``empty`` or not."""
     value = _present(parent, key, where)
-    if not isinstance(value, list) or not value or not all(isinstance(v, dict) for v in value):
-        raise InputError(f"{where}.{key}", "is not a list of objects", "one or more objects")
+    if not isinstance(value, list) or not all(isinstance(v, dict) for v in value):
+        raise InputError(f"{where}.{key}", "is not a list of objects")
+    if not value and not empty:
+        raise InputError(f"{where}.{key}", "is empty", "one or more objects")
     return value
 
 
@@ -101,16 +116,31 @@ def array(parent: Mapping[str, Any], key: str, ndim: int, where: str) -> Array:
     """The finite numbers under ``key``, nested ``ndim`` deep and not ragged."""
     place = f"{where}.{key}"
     value = _present(parent, key, where)
+    # Looked at first: NumPy would make every entry as long as the longest text among them.
+    if not _holds_numbers(value, ndim):
+        raise InputError(place, "is not of the right kind", _kind(ndim))
     try:
-        found = np.array(value)
+        numbers = np.array(value, dtype=np.float64)
     except ValueError:
         raise InputError(place, "is ragged") from None
-    if found.ndim != ndim or found.size == 0 or found.dtype.kind not in "iuf":
-        raise InputError(place, "is not of the right kind", _kind(ndim))
-    numbers = found.astype(np.float64)
+    except OverflowError:
+        raise InputError(place, "contains a huge number", "finite numbers") from None
+    if numbers.size == 0:
+        raise InputError(place, "is empty", _kind(ndim))
     if not np.all(np.isfinite(numbers)):
         raise InputError(place, "contains an infinite value", "finite numbers")
     return numbers
+
+
+def _holds_numbers(value: Any, ndim: int) -> bool:
+    """Whether it is lists nested ``ndim`` deep with nothing but numbers inside."""
+    if ndim == 0:
+        return type(value) in (int, float)
+    if not isinstance(value, list):
+        return False
+    if ndim == 1:
+        return {int, float}.issuperset(map(type, value))
+    return all(_holds_numbers(item, ndim - 1) for item in value)
 
 
 def _kind(ndim: int) -> str:

@@ -13,9 +13,11 @@ from berthing.geometry.arrays import Array
 from berthing.scenario.scenario import Scenario
 from berthing.trajectory import PhaseTrajectory
 from berthing.trajectory_io.columns import HEADER, native_columns, trajectory_columns
-from berthing.trajectory_io.tables import column, read_table, rows_of, write_table
+from berthing.trajectory_io.tables import read_table, rows_of, write_table
 
 MIN_SAMPLES = 1001
+# A table of more is nothing that was planned.
+MOST_VEHICLES = 1000
 
 
 @dataclass(frozen=True)
@@ -57,13 +59,16 @@ def read_trajectory(path: Path) -> TrajectoryTable:
     Raises:
         InputError: missing or malformed, another header, a cell that is not a finite number.
     """
-    header, rows = read_table(path)
-    where = str(path)
-    if header[: len(HEADER)] != HEADER:
-        raise InputError(where, "has another header", ",".join(HEADER))
-    numeric = [name for name in header if name != "vehicle"]
-    vehicles: dict[str, dict[str, Array]] = {}
-    for vehicle in dict.fromkeys(row["vehicle"] for row in rows):
-        own = [row for row in rows if row["vehicle"] == vehicle]
-        vehicles[vehicle] = {name: column(own, name, where) for name in numeric}
-    return TrajectoryTable(vehicles)
+    table = read_table(path)
+    if table.header[: len(HEADER)] != HEADER:
+        raise InputError(table.where, "has another header", ",".join(HEADER))
+    groups = table.rows_by("vehicle")
+    if len(groups) > MOST_VEHICLES:
+        raise InputError(table.where, f"has {len(groups)} vehicles", f"at most {MOST_VEHICLES}")
+    numeric = [name for name in table.header if name != "vehicle"]
+    return TrajectoryTable(
+        {
+            vehicle: {name: table.numbers(name, rows) for name in numeric}
+            for (vehicle,), rows in groups.items()
+        }
+    )

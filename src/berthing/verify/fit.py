@@ -12,6 +12,7 @@ from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import PhaseTrajectory, Plan, VehicleTrajectory
+from berthing.verify.size_limits import require_modest_trajectory
 
 # No state, control or time in SI units of anything that berths comes near this; beyond it sums
 # and squares of coefficients lose what the checks rely on.
@@ -57,6 +58,7 @@ def _require_vehicle(vehicle: Vehicle, own: VehicleTrajectory) -> None:
         raise InputError(where, f"interpolates by {own.control_interpolation!r}", options)
     if not own.segments:
         raise InputError(where, "has no segments", "at least one")
+    require_modest_trajectory(own, where)
     rows = CONTROL_ROWS[own.control_interpolation]
     for segment in own.segments:
         _require_numbers(where, np.array([segment.t0_s, segment.t1_s]), (2,))
