@@ -100,11 +100,18 @@ def verify_command(
         bool,
         typer.Option("--trust", help="Run code of the user's own that the scenario names."),
     ] = False,
+    search: Annotated[
+        bool,
+        typer.Option("--search", help="Prove clearance anew instead of checking the certificate."),
+    ] = False,
 ) -> None:
     """Check a plan folder again, from its files alone.
 
     Nothing of the solver is used: the check has its own equations of motion, and exact shapes. Only
     dynamics of the user's own have one source; they run with `--trust` alone.
+    Clearance is what the normals in `certificate.json` prove, so that nothing is searched for; a
+    forged or missing file leaves the plan uncertified. With `--search` that file is not read, and
+    violations are found and named.
 
     **Exit code:** 0 certified · 2 bad usage or input · 4 not certified
 
@@ -112,12 +119,13 @@ def verify_command(
 
     - `berthing verify plans/scenario-a`
     - `berthing verify plans/scenario-a --json`
+    - `berthing verify plans/scenario-a --search`
     """
 
     def work() -> int:
         from berthing.commands.verifying import run
 
-        return run(folder, as_json=as_json, trust=trust)
+        return run(folder, as_json=as_json, trust=trust, search=search)
 
     raise typer.Exit(guarded(work))
 

@@ -40,6 +40,8 @@ from berthing.trajectory import (
     VehicleTrajectory,
 )
 from berthing.trajectory_io import write_interpolant, write_nodes, write_trajectory
+from berthing.verify.claims import claims_of, write_claims
+from berthing.verify.verification import verify
 
 Array = np.ndarray
 MASS, INERTIA = 3.0, 5.0
@@ -257,6 +259,14 @@ def write_folder(folder: Path, whole: Scenario, made: Plan) -> None:
     write_interpolant(folder / "interpolant.json", made.phases, sha)
     write_nodes(folder / "nodes.csv", whole, made.nodes)
     write_trajectory(folder / "trajectory.csv", whole, made.phases)
+    certify_folder(folder, whole, made)
+
+
+def certify_folder(folder: Path, whole: Scenario, made: Plan) -> None:
+    """Write the certificate of what can be proven."""
+    sha = document_sha256(whole.document)
+    claims = claims_of(verify(whole, made).certificates, sha)
+    write_claims(folder / "certificate.json", claims)
 
 
 @pytest.fixture(scope="session")
@@ -266,6 +276,6 @@ def make() -> SimpleNamespace:
         placed=placed, body=body, vehicle=vehicle, structure=structure, scenario=scenario,
         trajectory=trajectory, path=path, turn_about=turn_about, glide=glide,
         glide_nodes=glide_nodes, plan=plan, document_plan=document_plan,
-        write_folder=write_folder, box=lambda *half: Box(np.array(half)), document=DOCUMENT,
+        write_folder=write_folder, certify_folder=certify_folder, box=lambda *half: Box(np.array(half)), document=DOCUMENT,
         rigid_body=rigid_body, attitude=FixedAttitude,
     )  # fmt: skip

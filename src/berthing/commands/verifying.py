@@ -15,18 +15,19 @@ from berthing.verify.folder import verify_folder
 from berthing.verify.verification import Verification
 
 
-def run(folder: Path, *, as_json: bool, trust: bool = False) -> int:
+def run(folder: Path, *, as_json: bool, trust: bool = False, search: bool = False) -> int:
     """Check the plan in a folder; the exit code.
 
     Args:
         folder: a plan folder.
         as_json: print JSON only.
         trust: run code of the user's own that the folder holds.
+        search: prove clearance anew, whatever certificate.json says.
 
     Raises:
         InputError: the folder holds no plan that can be read, or code that is not trusted.
     """
-    verification = verify_folder(folder, trust=trust)
+    verification = verify_folder(folder, trust=trust, search=search)
     outcome = outcome_of(verification)
     if as_json:
         document = {"outcome": outcome, "verification": verification.to_json()}

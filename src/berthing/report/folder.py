@@ -18,7 +18,14 @@ from berthing.scenario.options import SolverOptions
 from berthing.scenario.scenario import Scenario
 from berthing.trajectory import Plan
 from berthing.trajectory_io import write_interpolant, write_nodes, write_trajectory
-from berthing.verify.folder import INTERPOLANT_JSON, NODES_CSV, PLAN_JSON, TRAJECTORY_CSV
+from berthing.verify.claims import claims_of, write_claims
+from berthing.verify.folder import (
+    CERTIFICATE_JSON,
+    INTERPOLANT_JSON,
+    NODES_CSV,
+    PLAN_JSON,
+    TRAJECTORY_CSV,
+)
 from berthing.verify.verification import Verification
 
 
@@ -58,6 +65,8 @@ def _write_plan(
     write_interpolant(folder / INTERPOLANT_JSON, plan.phases, fingerprint)
     write_trajectory(folder / TRAJECTORY_CSV, scenario, plan.phases)
     write_nodes(folder / NODES_CSV, scenario, plan.nodes)
+    claims = claims_of(verification.certificates, fingerprint)
+    write_claims(folder / CERTIFICATE_JSON, claims)
     figures = folder / FIGURES
     figures.mkdir()
     drawn = draw_figures(scenario, plan, verification, figures)

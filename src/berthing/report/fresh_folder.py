@@ -10,12 +10,26 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from berthing.errors import InputError
-from berthing.verify.folder import INTERPOLANT_JSON, NODES_CSV, PLAN_JSON, TRAJECTORY_CSV
+from berthing.verify.folder import (
+    CERTIFICATE_JSON,
+    INTERPOLANT_JSON,
+    NODES_CSV,
+    PLAN_JSON,
+    TRAJECTORY_CSV,
+)
 
 FAILURE_JSON, REPORT_HTML = "failure.json", "report.html"
 # Everything that a plan folder may hold; a folder with more in it is not ours to replace.
 FILES = frozenset(
-    {PLAN_JSON, FAILURE_JSON, INTERPOLANT_JSON, TRAJECTORY_CSV, NODES_CSV, REPORT_HTML}
+    {
+        PLAN_JSON,
+        FAILURE_JSON,
+        INTERPOLANT_JSON,
+        TRAJECTORY_CSV,
+        NODES_CSV,
+        CERTIFICATE_JSON,
+        REPORT_HTML,
+    }
 )
 FIGURES = "figures"
 

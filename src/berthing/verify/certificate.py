@@ -3,34 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from berthing.geometry.arrays import Array
-from berthing.geometry.body import Part
-from berthing.geometry.pose import Pose
-from berthing.scenario.motion import Fixed
 from berthing.scenario.pair import Pair
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
-from berthing.scenario.structure import Structure
-from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import PhaseTrajectory
 from berthing.verify.bisection import Bisection
-from berthing.verify.body_motion import BodyMotion
+from berthing.verify.bounds import Bounds
 from berthing.verify.closest import with_nearest
-from berthing.verify.frames import structure_motion, vehicle_motion
+from berthing.verify.grouping import (
+    Motions,
+    Windows,
+    by_bodies,
+    frame_of,
+    parts_of,
+    windows_of,
+)
 from berthing.verify.leaves import Intervals, Leaves, Samples
-from berthing.verify.pair_motion import BodyPair
-from berthing.verify.part_pair import PartPair
 from berthing.verify.polynomial_motion import UnboundedAttitudeError
 from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
+from berthing.verify.tube import Tube, pair_tube
 from berthing.verify.verdict import PairVerdict, exempt, judge, unproven
-
-INERTIAL = ""
-
-Windows = Mapping[str, Sequence[tuple[float, float, float | None]]]
 
 
 @dataclass(frozen=True)
@@ -39,7 +36,7 @@ class Evidence:
 
     Attributes:
         moving, frame: names of the owners; normals are in the frame of the second and point from
-            the first to it. All structures at rest share the inertial frame, ``INERTIAL``.
+            the first to it. All structures at rest share one frame, ``grouping.INERTIAL``.
         pairs: names of the pairs of parts that ``leaves.pair`` counts.
     """
 
@@ -54,15 +51,24 @@ class Certificate:
     """Verdicts on one phase, in the order of ``Scenario.pairs``, and what they rest on.
 
     Attributes:
-        closest: name of the pair, time (s) and distance (m) of the least distance met while a
-            margin holds; None where no pair has one.
-        notes: why nothing could be proven, where that is so.
+        phase: its name.
+        closest: name of the pair, time (s) and distance (m) of the least distance of the
+            interpolant met while a margin holds; None where no pair has one.
+        notes: why something could not be proven, where that is so.
+        tubes: around the interpolant, by vehicle.
     """
 
+    phase: str
     verdicts: tuple[PairVerdict, ...]
     evidence: tuple[Evidence, ...]
     closest: tuple[str, float, float] | None
     notes: tuple[str, ...] = ()
+    tubes: Mapping[str, Tube] = field(default_factory=dict)
+
+    @property
+    def tube_m(self) -> float:
+        """The widest tube that enters a bound."""
+        return max((verdict.tube_m for verdict in self.verdicts), default=0.0)
 
     def bound_where_required(self, margin_m: float) -> float:
         """Least bound over intervals whose margin is at least ``margin_m``; +∞ for none."""
@@ -76,46 +82,49 @@ def certify(
     phase: Phase,
     trajectory: PhaseTrajectory,
     settings: CertificateSettings = DEFAULT_CERTIFICATE,
+    tubes: Mapping[str, Tube] | None = None,
 ) -> Certificate:
     """Prove the clearance of every pair over the phase, as far as it can be proven.
 
     Args:
         trajectory: of this phase; each vehicle's segments contiguous, coefficients finite.
+        tubes: around the interpolant, by vehicle; what flies stays inside. None where the
+            interpolant itself is meant.
 
     Raises:
         CapabilityError: a model, motion law or shape that the certificate does not know.
     """
-    pairs, motions = scenario.pairs(phase), _Motions(trajectory)
-    windows: Windows = {
-        p.name: scenario.margins.windows(p.ref_a, p.ref_b, motions.span_s) for p in pairs
-    }
+    motions, tubes = Motions(trajectory), tubes or {}
+    windows = windows_of(scenario, phase, motions.span_s)
     verdicts: dict[str, PairVerdict] = {}
     evidence: list[Evidence] = []
     closest: list[tuple[str, float, float]] = []
     notes: list[str] = []
-    for group in _by_bodies(pairs, windows):
-        a, frame = group[0].owner_a, _frame(group[0])
-        try:
-            bodies = BodyPair(motions.of(a), motions.of(group[0].owner_b))
-        except UnboundedAttitudeError as error:
-            notes.append(f"{a.name}: {error}")
-            verdicts.update((p.name, _nothing(phase, p, windows, error.t_s)) for p in group)
-            continue
+    for group in by_bodies(scenario.pairs(phase), windows):
         names = tuple(p.name for p in group)
-        search = Bisection(bodies, [PartPair(p.part_a, _in_frame(p)) for p in group], settings)
-        leaves, samples = search.run(_roots(bodies.edges_s, [windows[n] for n in names]))
+        widths = [pair_tube(p, tubes) for p in group]
+        try:
+            bounds = Bounds(motions.bodies(group[0]), [*map(parts_of, group)], widths, settings)
+        except UnboundedAttitudeError as error:
+            notes.append(f"{group[0].owner_a.name}: {error}")
+            verdicts.update((p.name, nothing(phase, p, windows, error.t_s)) for p in group)
+            continue
+        search = Bisection(bounds, widths, settings)
+        leaves, samples = search.run(_roots(bounds.bodies.edges_s, [windows[n] for n in names]))
         for i, name in enumerate(names):
             mine = leaves.take(leaves.pair == i), samples.take(samples.pair == i)
-            verdicts[name] = judge(phase.name, name, *mine, settings)
-        evidence.append(Evidence(a.name, frame, names, leaves))
-        closest.append(_least(names, with_nearest(samples, search.far, search.distances)))
+            verdicts[name] = judge(phase.name, name, *mine, widths[i], settings)
+        evidence.append(Evidence(group[0].owner_a.name, frame_of(group[0]), names, leaves))
+        closest.append(least(names, with_nearest(samples, search.far, bounds.distances)))
     return Certificate(
+        phase.name,
         tuple(
             verdicts.get(name) or exempt(phase.name, name, motions.span_s[0]) for name in windows
         ),
         tuple(evidence),
         min(closest, key=lambda found: found[2], default=None),
         tuple(notes),
+        tubes,
     )
 
 
@@ -131,53 +140,7 @@ def without_proof(scenario: Scenario, phase: Phase, trajectory: PhaseTrajectory)
             if required is None
             else unproven(phase.name, p.name, span[0], required)
         )
-    return Certificate(tuple(verdicts), (), None)
-
-
-class _Motions:
-    """Motions of the frames, each built once."""
-
-    def __init__(self, trajectory: PhaseTrajectory) -> None:
-        self._trajectory = trajectory
-        self.span_s = trajectory.t0_s, trajectory.t1_s
-        self._built: dict[str, BodyMotion] = {}
-
-    def of(self, owner: Vehicle | Structure) -> BodyMotion:
-        if owner.name not in self._built:
-            self._built[owner.name] = self._build(owner)
-        return self._built[owner.name]
-
-    def _build(self, owner: Vehicle | Structure) -> BodyMotion:
-        if _rests(owner):
-            return structure_motion(Fixed(Pose.identity()), self.span_s)
-        if isinstance(owner, Structure):
-            return structure_motion(owner.motion, self.span_s)
-        return vehicle_motion(owner.model, self._trajectory.vehicle(owner.name))
-
-
-def _by_bodies(pairs: Sequence[Pair], windows: Windows) -> list[list[Pair]]:
-    """Pairs that some margin concerns, those of the same two bodies together."""
-    groups: dict[tuple[str, str], list[Pair]] = {}
-    for pair in pairs:
-        if any(margin is not None for _, _, margin in windows[pair.name]):
-            groups.setdefault((pair.owner_a.name, _frame(pair)), []).append(pair)
-    return list(groups.values())
-
-
-def _rests(owner: Vehicle | Structure) -> bool:
-    return isinstance(owner, Structure) and isinstance(owner.motion, Fixed)
-
-
-def _frame(pair: Pair) -> str:
-    return INERTIAL if _rests(pair.owner_b) else pair.owner_b.name
-
-
-def _in_frame(pair: Pair) -> Part:
-    """The second part in the frame that its body is taken in."""
-    owner, part = pair.owner_b, pair.part_b
-    if isinstance(owner, Structure) and isinstance(owner.motion, Fixed):
-        return Part(part.name, part.shape, owner.motion.fixed_pose.compose(part.placement))
-    return part
+    return Certificate(phase.name, tuple(verdicts), (), None)
 
 
 def _roots(
@@ -197,11 +160,13 @@ def _roots(
     return Intervals.unasked(*map(np.concatenate, (pairs, starts, ends, required)))
 
 
-def _least(names: Sequence[str], samples: Samples) -> tuple[str, float, float]:
+def least(names: Sequence[str], samples: Samples) -> tuple[str, float, float]:
+    """Pair, time and distance of the nearest of the samples, of which there is at least one."""
     i = int(np.argmin(samples.distance))
     return names[samples.pair[i]], float(samples.t[i]), float(samples.distance[i])
 
 
-def _nothing(phase: Phase, pair: Pair, windows: Windows, t_s: float) -> PairVerdict:
+def nothing(phase: Phase, pair: Pair, windows: Windows, t_s: float) -> PairVerdict:
+    """The verdict on a pair of which nothing can be said from the time t on."""
     required = max(margin for _, _, margin in windows[pair.name] if margin is not None)
     return unproven(phase.name, pair.name, t_s, required)

@@ -20,25 +20,32 @@ from berthing.trajectory_io import (
 )
 from berthing.trajectory_io.strict_json import number, text, whole
 from berthing.verify.agreement import node_faults, table_faults
+from berthing.verify.claims import Claims, read_claims
 from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
+from berthing.verify.size_limits import require_modest_scenario
 from berthing.verify.verification import Verification, verify
 
 PLAN_JSON, INTERPOLANT_JSON = "plan.json", "interpolant.json"
 NODES_CSV, TRAJECTORY_CSV = "nodes.csv", "trajectory.csv"
+CERTIFICATE_JSON = "certificate.json"
 SCHEMA_VERSION = 1
 
 
 def verify_folder(
     folder: str | Path,
     *,
+    search: bool = False,
     settings: CertificateSettings = DEFAULT_CERTIFICATE,
     trust: bool = False,
 ) -> Verification:
     """Check the plan in a folder: the trajectory, and that its files agree with each other.
 
-    What plan.json itself claims of the plan is not believed.
+    What plan.json itself claims of the plan is not believed. Clearance is what certificate.json
+    proves; without that file nothing is, unless a search finds it anew.
 
     Args:
+        search: prove clearance anew in place of checking certificate.json.
+        settings: of that search.
         trust: run code of the user's own that the folder holds.
 
     Raises:
@@ -48,10 +55,25 @@ def verify_folder(
     """
     scenario, plan, faults = _read(Path(folder), trust)
     table = read_trajectory(Path(folder) / TRAJECTORY_CSV)
-    verification = verify(scenario, plan, settings=settings)
+    claims, doubts = (None, []) if search else _claims(Path(folder), scenario)
+    verification = verify(scenario, plan, settings=settings, claims=claims)
     return verification.with_reasons(
-        [*faults, *table_faults(scenario, plan, table), *node_faults(plan)]
+        [*faults, *doubts, *table_faults(scenario, plan, table), *node_faults(plan)]
     )
+
+
+def _claims(folder: Path, scenario: Scenario) -> tuple[Claims, list[str]]:
+    """What certificate.json claims, and what is wrong with the file as a whole."""
+    if not (folder / CERTIFICATE_JSON).exists():
+        return Claims("", ()), [f"{CERTIFICATE_JSON} is missing"]
+    claims, found = read_claims(folder / CERTIFICATE_JSON), document_sha256(scenario.document)
+    if claims.scenario_sha256 == found:
+        return claims, []
+    return claims, [_of_another(CERTIFICATE_JSON, claims.scenario_sha256, found)]
+
+
+def _of_another(name: str, sha: str, found: str) -> str:
+    return f"scenario: {name} was made for the scenario {sha[:12]}…, plan.json holds {found[:12]}…"
 
 
 def read_plan(folder: str | Path, *, trust: bool = False) -> tuple[Scenario, Plan]:
@@ -74,6 +96,7 @@ def _read(folder: Path, trust: bool) -> tuple[Scenario, Plan, list[str]]:
     document = record.get("scenario")
     if not isinstance(document, dict):
         raise InputError(f"{where}.scenario", "is not a scenario", "the whole scenario")
+    require_modest_scenario(document, f"{where}.scenario")
     scenario = from_document(document, f"{where}.scenario", trust=trust)
     interpolant = read_interpolant(folder / INTERPOLANT_JSON)
     plan = Plan(
@@ -108,8 +131,4 @@ def _identity_faults(
     said = {INTERPOLANT_JSON: interpolant.scenario_sha256}
     if "scenario_sha256" in record:
         said[PLAN_JSON] = text(record, "scenario_sha256", where)
-    return [
-        f"scenario: {name} was made for the scenario {sha[:12]}…, plan.json holds {found[:12]}…"
-        for name, sha in said.items()
-        if sha != found
-    ]
+    return [_of_another(name, sha, found) for name, sha in said.items() if sha != found]

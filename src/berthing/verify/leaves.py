@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from enum import IntEnum
 from typing import Self
@@ -17,7 +18,7 @@ class Status(IntEnum):
     """How an interval was closed."""
 
     CERTIFIED = 0
-    VIOLATED = 1
+    SHORT = 1
     UNDECIDED = 2
 
 
@@ -58,6 +59,16 @@ class Intervals(Rows):
     def __len__(self) -> int:
         return len(self.pair)
 
+    @property
+    def middle(self) -> Array:
+        """Of each (k,)."""
+        return 0.5 * (self.t0 + self.t1)
+
+    def blocks(self, size: int) -> Iterator[Intervals]:
+        """The same, at most ``size`` at a time."""
+        for start in range(0, len(self), size):
+            yield self.take(np.arange(start, min(start + size, len(self))))
+
     @staticmethod
     def unasked(pair: Index, t0: Array, t1: Array, required: Array) -> Intervals:
         """Intervals of whose ends nothing is known."""
@@ -71,7 +82,7 @@ class Leaves(Rows):
 
     Attributes:
         pair, t0, t1, required: as in ``Intervals``.
-        bound: proven lower bound on the clearance over the whole interval (m).
+        bound: proven lower bound on the clearance of what flies over the whole interval (m).
         normals: those that prove it: n at both ends (k, 2, 3), B's frame, linear between; equal
             where one normal serves the whole interval.
         status: of ``Status``.
@@ -88,7 +99,7 @@ class Leaves(Rows):
 
 @dataclass(frozen=True)
 class Samples(Rows):
-    """Distances at instants (k,), and what was required then (m)."""
+    """Distances of the interpolant at instants (k,), and what was required then (m)."""
 
     pair: Index
     t: Array
@@ -103,11 +114,15 @@ class Samples(Rows):
 
 
 class Collector:
-    """Gathers leaves and samples of ``count`` pairs, and knows how deep each pair is violated."""
+    """Gathers leaves and samples of pairs, and knows by how much each pair falls short at worst.
 
-    def __init__(self, count: int, settings: CertificateSettings) -> None:
+    ``tubes_m``, one a pair, is how much nearer than a sample says may be what flies.
+    """
+
+    def __init__(self, tubes_m: Sequence[float], settings: CertificateSettings) -> None:
         self._settings = settings
-        self._worst = np.full(count, np.inf)
+        self._tubes = np.array(tubes_m)
+        self._worst = np.full(len(self._tubes), np.inf)
         self._leaves: list[Leaves] = []
         self._samples: list[Samples] = []
 
@@ -127,23 +142,26 @@ class Collector:
     def add(self, samples: Samples) -> None:
         """Keep distances, and the worst of each pair against what is required."""
         self._samples.append(samples)
-        np.minimum.at(self._worst, samples.pair, samples.distance - samples.required)
+        shortest = samples.distance - self._tubes[samples.pair] - samples.required
+        np.minimum.at(self._worst, samples.pair, shortest)
 
     def hopeless(self, open_: Intervals, bound: Array, lowest: Array) -> list[tuple[Status, Mask]]:
         """Which intervals further splitting would not decide, in order of precedence.
 
         Args:
-            bound: proven (k,). lowest: least plane bound at an instant of the interval (k,).
+            bound: proven (k,). lowest: least plane bound at an instant of the interval (k,), of
+                what flies.
         """
         s = self._settings
         short = bound - open_.required
         worst = self._worst[open_.pair]
-        violated = worst < -s.violation_m
+        # Not to be proven, by a violation or by a tube too wide: its depth will do.
+        lost = worst < -s.violation_m
         tight = (lowest - open_.required <= s.undecided_m) & (short >= -s.undecided_m)
         brief = open_.t1 - open_.t0 <= s.undecided_s
         return [
-            (Status.VIOLATED, violated & (short >= worst - s.depth_m)),
-            (Status.UNDECIDED, (tight & ~violated) | brief),
+            (Status.SHORT, lost & (short >= worst - s.depth_m)),
+            (Status.UNDECIDED, (tight & ~lost) | brief),
         ]
 
     def leaves(self) -> Leaves:

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from berthing.clearance.plane import plane_bound
 from berthing.clearance.separation import PairQuery
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
@@ -47,14 +48,24 @@ class PartPair:
         if self._query is None:
             # Made on the first use: most pairs of large bodies are never near each other.
             self._query = PairQuery(self.part_a.shape, self.part_b.shape)
-        dim, placement = self.part_a.shape.dim, self.part_a.placement
-        rotation = pose.rotation[:, :dim, :dim]
-        poses = Pose(
-            pose.position[:, :dim] + rotation @ placement.position, rotation @ placement.rotation
-        )
-        distance, normal, bound = self._query.batch(poses, self.part_b.placement)
+        distance, normal, bound = self._query.batch(self._placed(pose), self.part_b.placement)
         bound = np.where(np.isfinite(bound), bound, -np.inf)
         return Samples(distance, lifted(normal), bound)
+
+    def plane(self, pose: RelativePose, normals: Array) -> Array:
+        """Plane bounds (k,) of normals (k, 3) in B's frame at A's frames (k,) in B's."""
+        a, b = self.part_a, self.part_b
+        return plane_bound(
+            a.shape, self._placed(pose), b.shape, b.placement, normals[:, : a.shape.dim]
+        )
+
+    def _placed(self, pose: RelativePose) -> Pose:
+        """The frames (k,) of A's shape in B's body frame."""
+        dim, placement = self.part_a.shape.dim, self.part_a.placement
+        rotation = pose.rotation[:, :dim, :dim]
+        return Pose(
+            pose.position[:, :dim] + rotation @ placement.position, rotation @ placement.rotation
+        )
 
 
 def enclosing_ball(part: Part) -> Ball:

@@ -11,6 +11,8 @@ from berthing.verify.leaves import Leaves, Samples, Status
 from berthing.verify.settings import CertificateSettings
 
 CERTIFIED, VIOLATED, UNDECIDED, EXEMPT = "certified", "violated", "undecided", "exempt"
+# Of a pair that certificate.json does not prove; whether it is clear was not asked.
+UNPROVEN = "unproven"
 
 
 @dataclass(frozen=True)
@@ -20,16 +22,20 @@ class PairVerdict:
     Attributes:
         phase: its name.
         pair: ``owner.part|owner.part``.
-        verdict: ``certified``, ``violated``, ``undecided``, or ``exempt`` where the pair may
-            touch throughout.
-        lower_bound_m: proven for every instant at which a margin holds; −∞ where nothing is
-            proven, +∞ for an exempt pair.
+        verdict: ``certified``, ``violated``, ``undecided``, ``unproven`` where claims were to
+            prove it and do not, or ``exempt`` where the pair may touch throughout.
+        lower_bound_m: proven of what flies for every instant at which a margin holds; −∞ where
+            nothing is proven, +∞ for an exempt pair.
         required_m: the margin of the interval that falls shortest of its own, or clears it by
             least; None for an exempt pair.
         excess_m: bound less margin on that interval: at least 0 exactly when certified.
         time_s: its middle; for a violated pair the time of the deepest sample.
         depth_m: how far the deepest sample falls short of its margin; 0 unless violated.
         violations_s: the time of the deepest sample of each stretch that violates.
+        tube_m: how much nearer than the interpolant says may be what flies; part of every bound.
+        gap_s: of an unproven pair the first stretch that the claims do not prove.
+        lost_to_tube: the interpolant is nowhere found too near, but what flies may be: the
+            dynamics want a finer mesh.
     """
 
     phase: str
@@ -41,6 +47,9 @@ class PairVerdict:
     time_s: float
     depth_m: float = 0.0
     violations_s: tuple[float, ...] = ()
+    tube_m: float = 0.0
+    gap_s: tuple[float, float] | None = None
+    lost_to_tube: bool = False
 
     @property
     def label(self) -> str:
@@ -55,10 +64,17 @@ class PairVerdict:
                 f"clearance[{self.label}, t = {self.time_s:.6g} s] is short of "
                 f"{self.required_m:g} m by {self.depth_m:.3g} m"
             )
+        if self.gap_s is not None:
+            return (
+                f"clearance[{self.label}] of {self.required_m:g} m is not proven by "
+                f"certificate.json from t = {self.gap_s[0]:.6g} to {self.gap_s[1]:.6g} s"
+            )
         if self.verdict == UNDECIDED:
+            blame = f"; the replay takes {self.tube_m:.3g} m" if self.lost_to_tube else ""
             return (
                 f"clearance[{self.label}, t = {self.time_s:.6g} s] is undecided: no less than "
                 f"{self.lower_bound_m:.9g} m is proven where {self.required_m:g} m is required"
+                + blame
             )
         return ""
 
@@ -73,8 +89,23 @@ def unproven(phase: str, pair: str, t_s: float, required_m: float) -> PairVerdic
     return PairVerdict(phase, pair, UNDECIDED, -np.inf, required_m, -np.inf, t_s)
 
 
+def without_claim(
+    phase: str, pair: str, gap_s: tuple[float, float], required_m: float, tube_m: float
+) -> PairVerdict:
+    """A pair that claims leave unproven over a gap."""
+    nothing, time = -np.inf, gap_s[0]
+    return PairVerdict(
+        phase, pair, UNPROVEN, nothing, required_m, nothing, time, tube_m=tube_m, gap_s=gap_s
+    )
+
+
 def judge(
-    phase: str, pair: str, leaves: Leaves, samples: Samples, settings: CertificateSettings
+    phase: str,
+    pair: str,
+    leaves: Leaves,
+    samples: Samples,
+    tube_m: float,
+    settings: CertificateSettings,
 ) -> PairVerdict:
     """The verdict of one pair from its own leaves (at least one) and samples.
 
@@ -91,12 +122,14 @@ def judge(
         float(leaves.required[worst]),
         float(excess[worst]),
         float(0.5 * (leaves.t0[worst] + leaves.t1[worst])),
+        tube_m=tube_m,
     )
     if np.all(leaves.status == int(Status.CERTIFIED)):
         return verdict
     depth = samples.required - samples.distance
     if not np.any(depth > settings.violation_m):
-        return replace(verdict, verdict=UNDECIDED)
+        lost = bool(np.any(depth + tube_m > settings.violation_m))
+        return replace(verdict, verdict=UNDECIDED, lost_to_tube=lost)
     deepest = int(np.argmax(depth))
     return replace(
         verdict,

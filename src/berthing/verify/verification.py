@@ -17,6 +17,7 @@ from berthing.scenario.user_model import UserModel
 from berthing.trajectory import PhaseTrajectory, Plan, VehicleNodes
 from berthing.verify.boundary import EndErrors, end_errors
 from berthing.verify.certificate import Certificate, certify, without_proof
+from berthing.verify.claims import Claims
 from berthing.verify.continuity import (
     clock_faults,
     continuity_faults,
@@ -27,8 +28,10 @@ from berthing.verify.fit import require_fit
 from berthing.verify.limits import Excess, excesses
 from berthing.verify.optimality import hamiltonian, relative_drift
 from berthing.verify.path_constraints import path_excesses
+from berthing.verify.recheck import check_claims
 from berthing.verify.replay import Replay, replay
 from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
+from berthing.verify.tube import tubes_of
 from berthing.verify.verdict import UNDECIDED, PairVerdict
 
 INDEPENDENT, SAME_SOURCE = "independent", "same_source"
@@ -39,15 +42,16 @@ class Verification:
     """What is known of a plan, apart from the solver.
 
     Attributes:
-        clearance_lower_bound_m: proven for every pair at every instant at which its margin is the
-            scenario's default or more; +∞ where there is nothing to keep clear of, −∞ where
-            nothing is proven. Where overrides lower a margin, ``pairs`` says what is proven.
+        clearance_lower_bound_m: proven, of what flies, for every pair at every instant at which
+            its margin is the scenario's default or more; +∞ where there is nothing to keep clear
+            of, −∞ where nothing is proven. Where overrides lower a margin, ``pairs`` says what is
+            proven.
         required_clearance_m: the default margin.
         backoff_m: what the planner added to the margins; recorded, not checked.
         closest_pair, closest_time_s, closest_distance_m: of the least distance met while a margin
             holds; None where there is no pair. The true minimum may lie a little below.
-        replay_position_error_m, replay_attitude_error_rad: the largest over all vehicles and
-            instants between the interpolant and the dynamics flown under its controls.
+        replay_position_error_m, replay_attitude_error_rad: bounds, over all vehicles and
+            instants, on how far the dynamics flown under its controls are from the interpolant.
         hamiltonian_relative_drift: (max − min)/mean|H| at the nodes, the worst phase; None
             without costates.
         limits_ok: controls, states and quaternion norms stay within their limits between nodes,
@@ -59,6 +63,9 @@ class Verification:
         pairs: a verdict for every pair and phase.
         ends: how far start and goal are missed. replays: of each vehicle and phase.
         hamiltonian: phase, times (k,) and values (k,) at the nodes.
+        tube_m: the most that bounds on clearance lose to the replay error: what flies, not the
+            interpolant alone, is certified.
+        certificates: of each phase, with the evidence.
     """
 
     clearance_lower_bound_m: float
@@ -78,6 +85,8 @@ class Verification:
     ends: tuple[EndErrors, ...]
     replays: tuple[Replay, ...]
     hamiltonian: tuple[tuple[str, Array, Array], ...]
+    tube_m: float = 0.0
+    certificates: tuple[Certificate, ...] = ()
 
     @property
     def undecided(self) -> bool:
@@ -93,8 +102,9 @@ class Verification:
 
     def to_json(self) -> dict[str, Any]:
         """As plan.json holds it; what is not finite becomes null."""
-        whole = asdict(self)
-        del whole["hamiltonian"]
+        whole = asdict(replace(self, hamiltonian=(), certificates=()))
+        for name in ("hamiltonian", "certificates"):
+            del whole[name]
         found: dict[str, Any] = _finite(whole)
         return found
 
@@ -105,11 +115,14 @@ def verify(
     *,
     backoff_m: float | None = None,
     settings: CertificateSettings = DEFAULT_CERTIFICATE,
+    claims: Claims | None = None,
 ) -> Verification:
     """Check a plan against its scenario, sharing nothing with the solver.
 
     Args:
         backoff_m: to record in place of the plan's own.
+        settings: of the search for a certificate.
+        claims: are checked in place of a search; what they do not prove is not certified.
 
     Raises:
         InputError: the plan does not belong to the scenario (phases, vehicles, columns), or its
@@ -120,7 +133,27 @@ def verify(
     with np.errstate(all="ignore"):
         # Absurd coefficients may overflow; what is not a number proves nothing here.
         backoff = plan.backoff_m if backoff_m is None else backoff_m
-        return _verify(scenario, plan, settings, backoff)
+        return _verify(scenario, plan, _Prover(settings, claims), backoff)
+
+
+@dataclass(frozen=True)
+class _Prover:
+    """How clearance is proven: by a search, or from claims where there are any."""
+
+    settings: CertificateSettings
+    claims: Claims | None
+
+    def __call__(
+        self,
+        scenario: Scenario,
+        phase: Phase,
+        trajectory: PhaseTrajectory,
+        replays: Sequence[Replay],
+    ) -> Certificate:
+        tubes = tubes_of(replays)
+        if self.claims is None:
+            return certify(scenario, phase, trajectory, self.settings, tubes)
+        return check_claims(scenario, phase, trajectory, self.claims.phase(phase.name), tubes)
 
 
 @dataclass(frozen=True)
@@ -147,17 +180,18 @@ def _phase_findings(
     phase: Phase,
     trajectory: PhaseTrajectory,
     nodes: Sequence[VehicleNodes],
-    settings: CertificateSettings,
+    prove: _Prover,
 ) -> _PhaseFindings:
     # Pieces that overlap or leave gaps are no motion: nothing is proven of them.
     sound = not any(gap_faults(own) for own in trajectory.vehicles)
     vehicles = [(phase.vehicle(own.vehicle), own) for own in trajectory.vehicles]
+    replays = [replay(vehicle.model, own) for vehicle, own in vehicles] if sound else []
     return _PhaseFindings(
-        certify(scenario, phase, trajectory, settings)
+        prove(scenario, phase, trajectory, replays)
         if sound
         else without_proof(scenario, phase, trajectory),
         end_errors(scenario, phase, trajectory),
-        [replay(vehicle.model, own) for vehicle, own in vehicles] if sound else [],
+        replays,
         [
             excess
             for vehicle, own in vehicles
@@ -167,12 +201,10 @@ def _phase_findings(
     )
 
 
-def _verify(
-    scenario: Scenario, plan: Plan, settings: CertificateSettings, backoff_m: float
-) -> Verification:
+def _verify(scenario: Scenario, plan: Plan, prove: _Prover, backoff_m: float) -> Verification:
     found = [
         _phase_findings(
-            scenario, phase, own, [n for n in plan.nodes if n.phase == phase.name], settings
+            scenario, phase, own, [n for n in plan.nodes if n.phase == phase.name], prove
         )
         for phase, own in zip(scenario.phases, plan.phases, strict=True)
     ]
@@ -209,6 +241,8 @@ def _verify(
         ends=tuple(e for f in found for e in f.ends),
         replays=replays,
         hamiltonian=tuple(f.hamiltonian for f in found),
+        tube_m=max(f.certificate.tube_m for f in found) if replays else math.inf,
+        certificates=tuple(f.certificate for f in found),
     )
 
 
