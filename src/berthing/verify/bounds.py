@@ -108,6 +108,8 @@ class Bounds:
 
 def by_pair(pair: Index) -> list[tuple[int, Index]]:
     """For each pair that is present its rows."""
+    if not len(pair):
+        return []
     order = np.argsort(pair, kind="stable")
     present, starts = np.unique(pair[order], return_index=True)
     return list(zip(present.tolist(), np.split(order, starts[1:]), strict=True))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from berthing.errors import InputError
 from berthing.scenario.files import from_document
@@ -12,7 +12,6 @@ from berthing.scenario.normal import document_sha256
 from berthing.scenario.scenario import Scenario
 from berthing.trajectory import Plan
 from berthing.trajectory_io import (
-    Interpolant,
     read_interpolant,
     read_nodes,
     read_object,
@@ -53,27 +52,29 @@ def verify_folder(
             to its scenario, or that holds code which is not trusted.
         CapabilityError: a model, motion or shape that the checks do not know.
     """
-    scenario, plan, faults = _read(Path(folder), trust)
+    own = _read(Path(folder), trust)
     table = read_trajectory(Path(folder) / TRAJECTORY_CSV)
-    claims, doubts = (None, []) if search else _claims(Path(folder), scenario)
-    verification = verify(scenario, plan, settings=settings, claims=claims)
-    return verification.with_reasons(
-        [*faults, *doubts, *table_faults(scenario, plan, table), *node_faults(plan)]
-    )
+    claims, doubts = (None, []) if search else _claims(Path(folder), own.sha256)
+    verification = verify(own.scenario, own.plan, settings=settings, claims=claims)
+    tables = table_faults(own.scenario, own.plan, table)
+    return verification.with_reasons([*own.faults, *doubts, *tables, *node_faults(own.plan)])
 
 
-def _claims(folder: Path, scenario: Scenario) -> tuple[Claims, list[str]]:
+def _claims(folder: Path, sha256: str) -> tuple[Claims, list[str]]:
     """What certificate.json claims, and what is wrong with the file as a whole."""
     if not (folder / CERTIFICATE_JSON).exists():
         return Claims("", ()), [f"{CERTIFICATE_JSON} is missing"]
-    claims, found = read_claims(folder / CERTIFICATE_JSON), document_sha256(scenario.document)
-    if claims.scenario_sha256 == found:
-        return claims, []
-    return claims, [_of_another(CERTIFICATE_JSON, claims.scenario_sha256, found)]
+    claims = read_claims(folder / CERTIFICATE_JSON)
+    return claims, _strangers({CERTIFICATE_JSON: claims.scenario_sha256}, sha256)
 
 
-def _of_another(name: str, sha: str, found: str) -> str:
-    return f"scenario: {name} was made for the scenario {sha[:12]}…, plan.json holds {found[:12]}…"
+def _strangers(said: Mapping[str, str], found: str) -> list[str]:
+    """Files, by name with their fingerprints, that are not of the scenario in plan.json."""
+    return [
+        f"scenario: {name} was made for the scenario {sha[:12]}…, plan.json holds {found[:12]}…"
+        for name, sha in said.items()
+        if sha != found
+    ]
 
 
 def read_plan(folder: str | Path, *, trust: bool = False) -> tuple[Scenario, Plan]:
@@ -82,11 +83,20 @@ def read_plan(folder: str | Path, *, trust: bool = False) -> tuple[Scenario, Pla
     Raises:
         InputError: as for ``verify_folder``.
     """
-    scenario, plan, _ = _read(Path(folder), trust)
-    return scenario, plan
+    own = _read(Path(folder), trust)
+    return own.scenario, own.plan
 
 
-def _read(folder: Path, trust: bool) -> tuple[Scenario, Plan, list[str]]:
+class _Folder(NamedTuple):
+    """What the files say; ``faults`` is where they are not of the scenario with this SHA-256."""
+
+    scenario: Scenario
+    plan: Plan
+    sha256: str
+    faults: list[str]
+
+
+def _read(folder: Path, trust: bool) -> _Folder:
     if not folder.is_dir():
         raise InputError(str(folder), "is not a folder", "a plan folder")
     record, where = read_object(folder / PLAN_JSON), str(folder / PLAN_JSON)
@@ -110,7 +120,10 @@ def _read(folder: Path, trust: bool) -> tuple[Scenario, Plan, list[str]]:
         whole(record, "seed", where),
         _backoff(record, where),
     )
-    return scenario, plan, _identity_faults(record, document, interpolant, where)
+    sha256, said = _sha256(document, where), {INTERPOLANT_JSON: interpolant.scenario_sha256}
+    if "scenario_sha256" in record:
+        said[PLAN_JSON] = text(record, "scenario_sha256", where)
+    return _Folder(scenario, plan, sha256, _strangers(said, sha256))
 
 
 def _backoff(record: Mapping[str, Any], where: str) -> float:
@@ -120,15 +133,8 @@ def _backoff(record: Mapping[str, Any], where: str) -> float:
     return number(verification, "backoff_m", f"{where}.verification")
 
 
-def _identity_faults(
-    record: Mapping[str, Any], document: Mapping[str, Any], interpolant: Interpolant, where: str
-) -> list[str]:
-    """The scenario in plan.json must be the one that the trajectory was planned for."""
+def _sha256(document: Mapping[str, Any], where: str) -> str:
     try:
-        found = document_sha256(document)
+        return document_sha256(document)
     except ValueError:
         raise InputError(f"{where}.scenario", "holds text that is not Unicode") from None
-    said = {INTERPOLANT_JSON: interpolant.scenario_sha256}
-    if "scenario_sha256" in record:
-        said[PLAN_JSON] = text(record, "scenario_sha256", where)
-    return [_of_another(name, sha, found) for name, sha in said.items() if sha != found]
