@@ -242,7 +242,7 @@ class Refiner:
         dips = [
             (index[verdict.pair], t)
             for verdict in result.verification.pairs
-            if verdict.verdict in (VIOLATED, UNDECIDED)
+            if verdict.verdict in (VIOLATED, UNDECIDED) and not verdict.lost_to_tube
             for t in (*verdict.violations_s, verdict.time_s)
         ]
         if dips:
