@@ -17,7 +17,8 @@ def checked(monkeypatch):
 
     def find(certified):
         found = synthetic.verification(load("scenario-a"), certified)
-        monkeypatch.setattr("berthing.commands.verifying.verify_folder", lambda folder, **options: found)
+        verify_folder = "berthing.commands.verifying.verify_folder"
+        monkeypatch.setattr(verify_folder, lambda folder, **options: found)
 
     return find
 

@@ -276,6 +276,7 @@ def make() -> SimpleNamespace:
         placed=placed, body=body, vehicle=vehicle, structure=structure, scenario=scenario,
         trajectory=trajectory, path=path, turn_about=turn_about, glide=glide,
         glide_nodes=glide_nodes, plan=plan, document_plan=document_plan,
-        write_folder=write_folder, certify_folder=certify_folder, box=lambda *half: Box(np.array(half)), document=DOCUMENT,
+        write_folder=write_folder, certify_folder=certify_folder,
+        box=lambda *half: Box(np.array(half)), document=DOCUMENT,
         rigid_body=rigid_body, attitude=FixedAttitude,
     )  # fmt: skip
