@@ -6,7 +6,8 @@ from berthing.result import Result
 from support import synthetic
 
 WHOLE_FOLDER = {
-    "plan.json", "interpolant.json", "trajectory.csv", "nodes.csv", "report.html", "figures"
+    "plan.json", "interpolant.json", "certificate.json", "trajectory.csv", "nodes.csv",
+    "report.html", "figures",
 }  # fmt: skip
 
 

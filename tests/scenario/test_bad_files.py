@@ -67,7 +67,7 @@ def test_text_that_is_not_utf8(tmp_path: Path) -> None:
     [
         ("scenari-a", "is not a scenario; did you mean scenario-a or"),
         ("Scenario-B-Tigth", "did you mean scenario-b-tight"),
-        ("zzz", "expected a file, or one of: free-space, scenario-a"),
+        ("zzz", "expected a file, or one of: free-space, offset-mass-wrench"),
         ("cases/none.yaml", "is no file"),
         (".", "is a folder"),
         ("", "is a folder"),

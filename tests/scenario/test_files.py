@@ -276,11 +276,11 @@ def test_the_schema_describes_both_forms() -> None:
 
 def test_every_case_of_the_library_loads_under_its_name() -> None:
     cases = library()
-    assert list(cases) == ["free-space", "scenario-a", "scenario-b", "scenario-b-tight"]
+    assert list(cases) == sorted(cases)
+    assert {"free-space", "scenario-a", "scenario-b", "scenario-b-tight"} <= set(cases)
     for name, headline in cases.items():
         scenario = load(name)
         assert scenario.name == name
         assert scenario.description.startswith(headline)
         assert 20 < len(headline) < 100
-        assert [v.name for v in scenario.phases[0].vehicles] == ["spacecraft"]
         assert from_document(scenario.document).document == scenario.document

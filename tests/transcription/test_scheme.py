@@ -29,5 +29,5 @@ def test_integrating_the_slope_gives_back_the_difference(degree) -> None:
 
 
 def test_an_unknown_scheme_is_told_which_there_are() -> None:
-    with pytest.raises(InputError, match=r"there is no 'lgl' \(expected one of lgr\)"):
-        scheme("lgl")
+    with pytest.raises(InputError, match=r"no 'gauss' \(expected one of lgl, lgl-global, lgr\)"):
+        scheme("gauss")
