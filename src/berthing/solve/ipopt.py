@@ -36,10 +36,6 @@ WARM: dict[str, Any] = {
 }
 """From an answer with multipliers."""
 
-DEPENDENT = {"perturb_always_cd": "yes"}
-"""For rows that may depend on each other: a small block in the place of their zeros from the start
-of each step. Without it the multipliers drift and the solver stalls just short of its tolerance."""
-
 PRESETS: dict[str, dict[str, Any]] = {"cold": COLD, "near": NEAR, "warm": WARM}
 
 
@@ -110,7 +106,6 @@ class Solver:
             # The rows are scaled already; AMD orders small systems as well as METIS, sooner.
             "mumps_scaling": 0, "mumps_permuting_scaling": 0, "mumps_pivot_order": 0,
             **PRESETS[preset],
-            **(DEPENDENT if problem.mesh.dependent else {}),
         }  # fmt: skip
         # Derivatives come with the problem; those of the parameters are nobody's business.
         options: dict[str, Any] = {

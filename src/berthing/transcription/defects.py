@@ -15,6 +15,7 @@ from berthing.transcription.elements import Index, Kernel
 from berthing.transcription.inputs import Inputs
 from berthing.transcription.layout import PhaseLayout, VehicleLayout
 from berthing.transcription.nodes import declare_node, node_values
+from berthing.transcription.norm_slack import NormSlack
 
 
 def add_defects(layout: PhaseLayout) -> dict[str, list[Index]]:
@@ -29,7 +30,8 @@ def add_defects(layout: PhaseLayout) -> dict[str, list[Index]]:
 
 
 def _vehicle(layout: PhaseLayout, owner: VehicleLayout) -> list[Index]:
-    inputs, kernel = _dynamics_kernel(layout, owner)
+    slack = NormSlack.add(layout, owner)
+    inputs, kernel = _dynamics_kernel(layout, owner, slack)
     mesh, blocks = layout.mesh, []
     states, controls, widths, fractions = [], [], [], []
     for k in range(mesh.segments):
@@ -49,12 +51,15 @@ def _vehicle(layout: PhaseLayout, owner: VehicleLayout) -> list[Index]:
         blocks.append(rows)
     values = layout.shared_indices(len(fractions)) | {
         "x": np.vstack(states), "u": np.vstack(controls), "width": widths, "fraction": fractions,
+        **slack.values(layout),
     }  # fmt: skip
     inputs.add(layout.elements, kernel, values, np.vstack(blocks))
     return blocks
 
 
-def _dynamics_kernel(layout: PhaseLayout, owner: VehicleLayout) -> tuple[Inputs, Kernel]:
+def _dynamics_kernel(
+    layout: PhaseLayout, owner: VehicleLayout, slack: NormSlack
+) -> tuple[Inputs, Kernel]:
     inputs = Inputs()
     x = owner.declare_state(inputs, "x")
     u = inputs.variable("u", owner.nu, owner.scale.control)
@@ -62,7 +67,8 @@ def _dynamics_kernel(layout: PhaseLayout, owner: VehicleLayout) -> tuple[Inputs,
     width, fraction = inputs.constant("width"), inputs.constant("fraction")
     model = owner.vehicle.model
     f = symbolic(model).derivative(model, layout.t0_s + duration * fraction, x, u)
-    return inputs, inputs.kernel(-0.5 * width * duration * f / ca.DM(owner.scale.state))
+    defect = -0.5 * width * duration * f / ca.DM(owner.scale.state)
+    return inputs, inputs.kernel(defect + slack.declare(inputs, x))
 
 
 def add_cost(layout: PhaseLayout, cost_scale: float) -> None:

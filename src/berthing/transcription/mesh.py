@@ -78,11 +78,8 @@ class Mesh:
 
     @property
     def dependent(self) -> bool:
-        """Whether the defects may depend on each other: a segment has as many as points.
-
-        A unit quaternion that does not turn is such a case: q̇ = 0 at every point is one row more
-        than it takes.
-        """
+        """Whether a segment has as many defects as points, so that they may depend on each other:
+        a constant has no slope, and the rows of its derivative at n points are n - 1 in truth."""
         nodes = self.node_set(0)
         return len(nodes.collocated) == len(nodes.points)
 

@@ -32,6 +32,7 @@ from berthing.transcription.layout import (
 )
 from berthing.transcription.limits import add_limits
 from berthing.transcription.mesh import Mesh
+from berthing.transcription.norm_slack import slack_name
 from berthing.transcription.path_constraints import add_path_constraints
 from berthing.transcription.scaling import phase_scale
 from berthing.transcription.separation import (
@@ -139,6 +140,7 @@ class Problem:
         for vehicle in self.phase.vehicles:
             values[state_name(name, vehicle.name)] = motion.states[vehicle.name]
             values[control_name(name, vehicle.name)] = motion.controls[vehicle.name]
+            values[slack_name(name, vehicle.name)] = 0.0
         values.update(self._site_values(scenario, motion, normals, eps))
         values.update(self._sweep_values(scenario, motion, values))
         for vehicle in self.phase.vehicles:
