@@ -56,6 +56,9 @@ def plan_command(
         float | None, typer.Option(metavar="S", help="Wall time allowed, in seconds.")
     ] = None,
     seed: Annotated[int | None, typer.Option(help="Seed of the guesses.")] = None,
+    guess: Annotated[
+        str | None, typer.Option(help="First trajectories: default or paper-continuation.")
+    ] = None,
     tolerance: Annotated[
         float | None,
         typer.Option(help="Refine until the Hamiltonian drifts by less than this of its mean."),
@@ -81,6 +84,7 @@ def plan_command(
         "nodes": nodes,
         "time_limit_s": time_limit,
         "seed": seed,
+        "guess": guess,
         "tolerance": tolerance,
     }
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from berthing import result as outcomes
 from berthing.errors import InputError
-from berthing.guess.candidates import candidates
+from berthing.guess.continuation import Continuation
+from berthing.guess.first_motions import first_motions
 from berthing.guess.normals import exact_normals
-from berthing.guess.path import Guess, motion_along
 from berthing.refine.begin_with import first_formulation, refine
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
@@ -127,6 +127,12 @@ class _Work:
     def tell(self, stage: str, detail: str = "") -> None:
         self.progress(ProgressEvent(stage, detail, self.iterations, self.clearance_m))
 
+    def note(self, name: str, problem: Problem, outcome: Outcome) -> None:
+        """Record a solve from a guess."""
+        self.iterations += outcome.iterations
+        self.attempts.append(attempt(name, problem, outcome))
+        self.tell("guess", f"{name}: {outcome.status}")
+
     def mesh(self, segments: int) -> Mesh:
         """``segments`` of the default degree, or what the nodes asked for allow; and breaks where
         the dynamics have kinks."""
@@ -193,13 +199,14 @@ def _search(work: _Work) -> _Search:
     pairs = scenario.pairs(phase)
     sites = node_sites(mesh, len(pairs))
     problem = build(scenario, phase, mesh, sites, first_formulation(work.options.formulation))
-    left = work.deadline - time.monotonic()
-    solver = Solver.build(problem, "cold", Budget(COARSE_ITERATIONS, min(left, 1e6)))
-    guesses = candidates(scenario, phase, work.options.seed)
-    duration, normals = phase.horizon.nominal_s, exact_normals(pairs)
-    starts = [Start(motion_along(guess, phase, mesh, duration), normals) for guess in guesses]
+    budget = Budget(COARSE_ITERATIONS, min(work.deadline - time.monotonic(), 1e6))
+    solver = Solver.build(problem, "cold", budget)
+    formulation, normals = first_formulation(work.options.formulation), exact_normals(pairs)
+    whole = Continuation(scenario, phase, mesh, formulation, budget, BACKOFF_M, work.note)
+    motions = first_motions(work.options.guess, whole, work.options.seed)
+    starts = [Start(motion, normals) for _, motion in motions]
     pool = SolvePool(solver, scenario, starts, BACKOFF_M)
-    return _Search(work, problem, guesses, pool)
+    return _Search(work, problem, [name for name, _ in motions], pool)
 
 
 @dataclass
@@ -208,7 +215,7 @@ class _Search:
 
     work: _Work
     problem: Problem
-    guesses: list[Guess]
+    guesses: list[str]
     pool: SolvePool
     found: list[tuple[str, Outcome]] = field(default_factory=list)
     tried: list[Outcome] = field(default_factory=list)
@@ -248,10 +255,8 @@ class _Search:
 
     def _take(self, answers: list[tuple[int, Outcome]]) -> None:
         for i, outcome in answers:
-            name = self.guesses[i].name
-            self.work.iterations += outcome.iterations
-            self.work.attempts.append(attempt(name, self.problem, outcome))
-            self.work.tell("guess", f"{name}: {outcome.status}")
+            name = self.guesses[i]
+            self.work.note(name, self.problem, outcome)
             if outcome.solved:
                 self.found.append((name, outcome))
 

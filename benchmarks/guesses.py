@@ -1,0 +1,123 @@
+"""Our guesses beside the paper's continuation: how often the whole coarse problem is solved.
+
+Each row is one solve of the whole problem, on the planner's coarse mesh, from one guess. For the
+paper's continuation the seeds bow the sub-problems' starts to random sides (seed 0 is as printed),
+and its seconds include its sub-problems. Of ours, those that no seed changes are run once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from statistics import median
+
+from berthing.guess.continuation import Continuation
+from berthing.guess.first_motions import first_motions
+from berthing.guess.normals import exact_normals
+from berthing.planner import COARSE_ITERATIONS, COARSE_SEGMENTS, DEGREE
+from berthing.refine.refiner import BACKOFF_M
+from berthing.scenario.files import load
+from berthing.solve.ipopt import Budget, Solver, Start
+from berthing.transcription.mesh import Mesh
+from berthing.transcription.problem import build
+from berthing.transcription.sites import node_sites
+
+CASES = ("scenario-a", "scenario-b-tight")
+GUESSES = ("default", "paper-continuation")
+
+
+@dataclass
+class Whole:
+    """The coarse problem of one case."""
+
+    name: str
+    spent: list[int] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.scenario = load(self.name)
+        (self.phase,) = self.scenario.phases
+        mesh = Mesh.uniform("lgr", COARSE_SEGMENTS, DEGREE)
+        pairs = self.scenario.pairs(self.phase)
+        self.normals = exact_normals(pairs)
+        sites = node_sites(mesh, len(pairs))
+        budget = Budget(COARSE_ITERATIONS)
+        self.solver = Solver.build(
+            build(self.scenario, self.phase, mesh, sites, "plane"), "cold", budget
+        )
+        self.make = Continuation(
+            self.scenario, self.phase, mesh, "plane", budget, BACKOFF_M,
+            lambda name, problem, outcome: self.spent.append(outcome.iterations),
+        )  # fmt: skip
+
+    def rows(self, guess: str, seed: int, seen: set[str]) -> list[dict]:
+        """Solve from every motion that the guess gives for this seed, if not seen before."""
+        self.spent.clear()
+        began = time.perf_counter()
+        motions = first_motions(guess, self.make, seed)
+        before = time.perf_counter() - began
+        out = []
+        for name, motion in motions:
+            drawn = guess == "paper-continuation" or name.startswith("random")
+            if not drawn and name in seen:
+                continue
+            seen.add(name)
+            outcome = self.solver.solve(
+                self.scenario, Start(motion, self.normals), backoff_m=BACKOFF_M
+            )
+            out.append(
+                {
+                    "case": self.name, "guess": guess, "name": name,
+                    "seed": seed if drawn else None,
+                    "status": outcome.status, "iterations": outcome.iterations,
+                    "iterations_before": sum(self.spent),
+                    "seconds": round(before / len(motions) + outcome.wall_time_s, 2),
+                    "cost": outcome.cost if outcome.solved else None,
+                }
+            )  # fmt: skip
+        return out
+
+
+def table(rows: list[dict]) -> str:
+    """A line a case and guess."""
+    lines = [
+        "| case | guess | solved | cheapest passage | median cost | iterations, median "
+        "| sub-problems' iterations, median | s, median |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for case, guess in dict.fromkeys((row["case"], row["guess"]) for row in rows):
+        mine = [row for row in rows if (row["case"], row["guess"]) == (case, guess)]
+        good = [row for row in mine if row["status"] == "solved"]
+        best = min(row["cost"] for row in rows if row["case"] == case and row["cost"])
+        cheap = sum(row["cost"] <= 1.01 * best for row in good)
+        lines.append(
+            f"| {case} | {guess} | {len(good)} of {len(mine)} | {cheap} "
+            f"| {median(row['cost'] for row in good):.6f} "
+            f"| {median(row['iterations'] for row in mine):.0f} "
+            f"| {median(row['iterations_before'] for row in mine):.0f} "
+            f"| {median(row['seconds'] for row in mine):.1f} |"
+        )
+    return "\n".join(lines)
+
+
+def main(arguments: list[str]) -> int:
+    """Run, print the table, write the rows."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks guesses")
+    parser.add_argument("--json", type=Path)
+    parser.add_argument("--seeds", type=int, default=20)
+    parser.add_argument("--case", action="append", choices=CASES)
+    options = parser.parse_args(arguments)
+    rows = []
+    for name in options.case or CASES:
+        whole = Whole(name)
+        for guess in GUESSES:
+            seen: set[str] = set()
+            for seed in range(options.seeds):
+                rows += whole.rows(guess, seed, seen)
+                print(rows[-1], flush=True)
+    print(table(rows))
+    if options.json:
+        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+    return 0
