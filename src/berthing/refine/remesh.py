@@ -1,23 +1,31 @@
-"""Where the dynamics are not resolved, and the mesh that resolves them."""
+"""Where dynamics and path constraints are not resolved, and the mesh that resolves them."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from berthing.scenario.phase import Phase
-from berthing.trajectory import PhaseTrajectory
+from berthing.scenario.vehicle import Vehicle
+from berthing.trajectory import PhaseTrajectory, VehicleTrajectory
 from berthing.transcription.mesh import Mesh
 from berthing.verify.equations import derivative
+from berthing.xp import NUMPY
 
 PROBES = 5
 """Times in a segment, off the nodes, at which ẋ - f is looked at."""
+
+PATH_PROBES = 16
+"""Likewise of path constraints, whose excess may be brief."""
 
 SHARE = 0.1
 """Segments with at least this share of the worst residual are halved together."""
 
 
 def split_unresolved(mesh: Mesh, phase: Phase, trajectory: PhaseTrajectory) -> Mesh:
-    """Halve the segments whose interpolant misses its own equations of motion most."""
+    """Halve the segments whose interpolant misses its own equations of motion most.
+
+    And those in which a path constraint that holds at the nodes fails between them.
+    """
     residual = np.zeros(mesh.segments)
     for vehicle in phase.vehicles:
         rates = derivative(vehicle.model)
@@ -31,4 +39,23 @@ def split_unresolved(mesh: Mesh, phase: Phase, trajectory: PhaseTrajectory) -> M
                 gap = np.abs(di - rates(float(ti), xi, ui)) / scale
                 residual[k] = max(residual[k], float(np.max(gap)) * (segment.t1_s - segment.t0_s))
     worst = float(residual.max())
-    return mesh.split({k for k in range(mesh.segments) if residual[k] >= SHARE * worst})
+    coarse = {k for k in range(mesh.segments) if residual[k] >= SHARE * worst}
+    beyond = {k for v in phase.vehicles for k in _beyond(v, trajectory.vehicle(v.name))}
+    # Where a constraint is all that is wrong, the dynamics need no finer mesh.
+    return mesh.split(beyond or coarse)
+
+
+def _beyond(vehicle: Vehicle, own: VehicleTrajectory) -> set[int]:
+    """Segments in which a path constraint exceeds its tolerance at a probe."""
+    found = set()
+    for k, segment in enumerate(own.segments):
+        t = np.linspace(segment.t0_s, segment.t1_s, PATH_PROBES + 2)[1:-1]
+        x, u = own.state(t), own.control(t)
+        for constraint in vehicle.path_constraints:
+            g = [
+                constraint.function(float(ti), xi, ui, NUMPY)
+                for ti, xi, ui in zip(t, x, u, strict=True)
+            ]
+            if np.max(g) > constraint.tolerance:
+                found.add(k)
+    return found
