@@ -43,7 +43,7 @@ WORTH_TRYING = 0.97
 """A further candidate is refined only if its coarse cost, which understates, is below this share
 of the best certified one."""
 
-PATIENCE = 1.5
+PATIENCE = 2.5
 """Times as long as the first answer took: how long more answers are waited for before refining."""
 
 SAME_PASSAGE = 0.25
