@@ -2,6 +2,8 @@
 
 import copy
 import json
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -108,3 +110,13 @@ def test_a_path_constraint_is_a_limit(user_folder):
     found = verify(whole, made)
     assert not found.limits_ok
     assert any(r.startswith("limit[craft, path level, t = ") for r in found.reasons)
+
+
+def test_checking_it_brings_no_solver_along(user_folder):
+    folder, _, _ = user_folder()
+    code = (
+        "import sys; from berthing.verify.folder import verify_folder; "
+        f"print(verify_folder({str(folder)!r}, trust=True).certified, 'casadi' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "True False\n"
