@@ -14,7 +14,7 @@ from berthing.scenario.files import from_document
 Document = dict[str, Any]
 Refused = Callable[[Document], str]
 
-# 2 √(√109 · 3 / (√3 · 0.02)): DESIGN section 6 has 60.1 s for Scenario A.
+# 2 √(√109 · 3 / (√3 · 0.02)): 60.1 s for Scenario A.
 LEAST_A_S = 60.139
 QUARTER_TURN = [np.sqrt(0.5), 0, 0, np.sqrt(0.5)]
 

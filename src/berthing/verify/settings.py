@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-# Start and goal must be met to this: m, rad, m/s and rad/s (DESIGN section 6; solvers reach 1e-8).
+# Start and goal must be met to this: m, rad, m/s and rad/s (solvers reach 1e-8).
 BOUNDARY_TOLERANCE = 1e-6
 
 # Largest jump of a native state where two segments meet. Segments share their end node, so what
