@@ -180,6 +180,69 @@ def export_command(
     raise typer.Exit(guarded(work))
 
 
+@app.command("decompose")
+def decompose_command(
+    file: Annotated[Path, typer.Argument(help="STL, OBJ, PLY, GLB or URDF.")],
+    units: Annotated[
+        str | None, typer.Option(help="Of the file's numbers: m, cm, mm, in … Never guessed.")
+    ] = None,
+    volume_ratio: Annotated[
+        float, typer.Option(help="Volume of the pieces over that of the mesh, to aim at.")
+    ] = 1.15,
+    largest_push: Annotated[
+        float | None,
+        typer.Option(metavar="M", help="Most by which faces may be moved out, in metres."),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Seed of the cuts.")] = 0,
+    density: Annotated[
+        float | None, typer.Option(metavar="KG/M3", help="For the mass; a URDF has its own.")
+    ] = None,
+    joint: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=POSITION", help="A joint of a URDF, in rad or m; else 0."),
+    ] = None,
+    check: Annotated[
+        Path | None,
+        typer.Option(metavar="PIECES", help="Prove the pieces in this file again instead."),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="The folder; pieces/NAME of the file if not given.")
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Write into a folder in use.")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Cover a mesh, or a robot's links, with convex pieces, and prove that nothing sticks out.
+
+    Writes pieces.json, whose parts a scenario can hold, and pictures. A scenario may also name the
+    file itself. Needs the extra `mesh`: `pip install 'berthing[mesh]'`.
+
+    **Exit code:** 0 proven · 2 bad usage or input · 4 with `--check`: the proof does not hold
+
+    **Examples**
+
+    - `berthing decompose bracket.stl --units mm --density 2700`
+    - `berthing decompose robot.urdf --joint elbow=0.7 --out pieces/robot`
+    - `berthing decompose bracket.stl --check pieces/bracket/pieces.json`
+    """
+
+    def work() -> int:
+        from berthing.commands import decomposing
+
+        if check is not None:
+            return decomposing.check(file, check, as_json=as_json)
+        return decomposing.run(
+            file,
+            {"volume_ratio": volume_ratio, "largest_push_m": largest_push, "seed": seed},
+            {"units": units, "density_kg_m3": density},
+            joint or [],
+            out,
+            force=force,
+            as_json=as_json,
+        )
+
+    raise typer.Exit(guarded(work))
+
+
 @app.command("scenarios")
 def scenarios_command(as_json: AsJson = False) -> None:
     """List the cases that ship; any of these names will do as SCENARIO.

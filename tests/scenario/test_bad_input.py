@@ -42,7 +42,7 @@ CASES: list[tuple[str, Any, str, str]] = [
     (f"{DYNAMICS}.mass_kg", "3", f"{DYNAMICS}.mass_kg", "is '3' (expected a number)"),
     (f"{DYNAMICS}.mass_kg", 10**400, f"{DYNAMICS}.mass_kg", "expected a number"),
     (f"{DYNAMICS}.mass_kg", True, f"{DYNAMICS}.mass_kg", "is True"),
-    (f"{DYNAMICS}.mass_kg", None, f"{DYNAMICS}.mass_kg", "is None"),
+    (f"{DYNAMICS}.mass_kg", None, f"{DYNAMICS}.mass_kg", "is missing"),
     (f"{VEHICLE}.goal.position_m", [10, NAN, 0], f"{VEHICLE}.goal.position_m[1]", "is nan"),
     (f"{VEHICLE}.limits.max_force_n", -0.02, f"{VEHICLE}.limits.max_force_n", "0 or more"),
     (f"{VEHICLE}.limits.max_force_n", [1, 1], f"{VEHICLE}.limits.max_force_n", "3, or one number"),

@@ -271,7 +271,7 @@ def test_the_schema_describes_both_forms() -> None:
     assert "phases" in defined["ScenarioFile"]["required"]
     assert "horizon" in defined["SinglePhaseFile"]["required"]
     assert defined["RigidBodyBlock"]["additionalProperties"] is False
-    assert defined["RigidBodyBlock"]["properties"]["mass_kg"]["exclusiveMinimum"] == 0
+    assert defined["PointMassBlock"]["properties"]["mass_kg"]["exclusiveMinimum"] == 0
 
 
 def test_every_case_of_the_library_loads_under_its_name() -> None:

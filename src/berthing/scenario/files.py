@@ -10,6 +10,7 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from berthing.errors import InputError
+from berthing.scenario.build.meshes import with_meshes
 from berthing.scenario.build.user_code import with_code
 from berthing.scenario.build.whole import build_scenario
 from berthing.scenario.library import case_path, library
@@ -72,7 +73,7 @@ def json_schema() -> dict[str, Any]:
 
 def _build(source: Source) -> Scenario:
     file, source = validated(source)
-    return build_scenario(with_code(file, source), source)
+    return build_scenario(with_meshes(with_code(file, source), source), source)
 
 
 def _unknown(given: str, path: Path) -> InputError:

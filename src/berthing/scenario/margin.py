@@ -15,7 +15,8 @@ class MarginOverride:
     """An exception to the default margin.
 
     Attributes:
-        a, b: selectors, ``owner`` or ``owner.part``; their order does not matter.
+        a, b: selectors, ``owner`` or ``owner.part``, the latter with all pieces of a part from a
+            mesh; their order does not matter.
         margin_m: the margin instead; None where the pair may touch.
         window_s: (from, to) on the scenario's clock, ends included; None for always.
 
@@ -91,7 +92,7 @@ def _inside(
 
 
 def _selects(selector: str, ref: str) -> bool:
-    return selector in (ref, ref.split(".", 1)[0])
+    return ref == selector or ref.startswith(f"{selector}.")
 
 
 def _check_margin(where: str, value: float | None) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from berthing.geometry.body import Part
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.source import Path, Source
 from berthing.scenario.structure import Structure
@@ -27,6 +28,12 @@ def check_exists(name: str, options: Sequence[str], kind: str, source: Source, p
         raise source.error(path, f"names no {kind}: {name!r}{hint}", "" if hint else listed)
 
 
+def _names(part: Part) -> tuple[str, ...]:
+    """What a part answers to: its name, and for a piece of a mesh also the mesh's."""
+    mesh, dot, _ = part.name.partition(".")
+    return (mesh, part.name) if dot else (part.name,)
+
+
 def check_overrides(scenario: Scenario, source: Source) -> None:
     """Refuse overrides whose selectors do not exist, or that no pair of parts answers to."""
     pairs = [pair for phase in scenario.phases for pair in scenario.pairs(phase)]
@@ -35,7 +42,7 @@ def check_overrides(scenario: Scenario, source: Source) -> None:
         *(v for p in scenario.phases for v in p.vehicles),
     ]
     selectors = [o.name for o in owners]
-    selectors += [f"{o.name}.{part.name}" for o in owners for part in o.body.parts]
+    selectors += [f"{o.name}.{name}" for o in owners for p in o.body.parts for name in _names(p)]
     selectors = list(dict.fromkeys(selectors))
     for i, override in enumerate(scenario.margins.overrides):
         path: Path = ("margins", "overrides", i, "between")

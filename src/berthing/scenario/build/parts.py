@@ -20,6 +20,7 @@ from berthing.geometry.sphere import Sphere
 from berthing.scenario.attitude import unit
 from berthing.scenario.build.names import check_unique
 from berthing.scenario.schema.fields import Block
+from berthing.scenario.schema.meshes import AnyPart
 from berthing.scenario.schema.shapes import (
     BoxShape,
     CylinderShape,
@@ -58,14 +59,15 @@ _SHAPES: dict[type[Block], Callable[[Any, int], ConvexSet]] = {
 }
 
 
-def build_body(parts: Sequence[PartBlock], dim: int, source: Source, path: Path) -> Body:
+def build_body(parts: Sequence[AnyPart], dim: int, source: Source, path: Path) -> Body:
     """A body of the scenario's dimension.
 
     Raises:
         InputError: a shape that is none, one of another dimension, or a name used twice.
     """
     check_unique([part.name for part in parts], source, path)
-    return Body(tuple(_part(p, dim, source, (*path, i)) for i, p in enumerate(parts)))
+    found = [part for i, p in enumerate(parts) for part in _parts(p, dim, source, (*path, i))]
+    return Body(tuple(found))
 
 
 def build_pose(block: Placed, dim: int, source: Source, path: Path) -> Pose:
@@ -88,6 +90,22 @@ def build_pose(block: Placed, dim: int, source: Source, path: Path) -> Pose:
         return Pose(position, np.eye(3))
     with source.at(*path):
         return Pose.from_quaternion(position, unit(np.array(block.attitude), 4, "attitude"))
+
+
+def _parts(block: AnyPart, dim: int, source: Source, path: Path) -> list[Part]:
+    """One part, or of a mesh its pieces: ``name.1``, ``name.2`` and so on, where it has several."""
+    if isinstance(block, PartBlock):
+        return [_part(block, dim, source, path)]
+    outer = build_pose(block, dim, source, path)
+    pieces = block.pieces or []
+    found = []
+    for i, piece in enumerate(pieces):
+        name = f"{block.name}.{i + 1}" if len(pieces) > 1 else block.name
+        inner = (*path, "pieces", i)
+        with source.at(*inner, "shape"):
+            shape = _SHAPES[type(piece.shape)](piece.shape, dim)
+        found.append(Part(name, shape, outer.compose(build_pose(piece, dim, source, inner))))
+    return found
 
 
 def _part(block: PartBlock, dim: int, source: Source, path: Path) -> Part:

@@ -35,7 +35,7 @@ def build_structure(block: StructureBlock, dim: int, source: Source, path: Path)
         for key in ("position_m", "attitude", "angle_rad"):
             if getattr(block, key) is not None:
                 raise source.error((*path, key), "stands beside a table of poses", "none")
-    body = build_body(block.parts, dim, source, (*path, "parts"))
+    body = build_body(block.parts or (), dim, source, (*path, "parts"))
     pose = build_pose(block, dim, source, path)
     with source.at(*path, "motion"):
         motion = _MOTIONS[type(block.motion)](block.motion, pose)

@@ -25,7 +25,7 @@ from berthing.scenario.schema.vehicles import (
     VehicleBlock,
     WrenchBlock,
 )
-from berthing.scenario.source import Path, Source
+from berthing.scenario.source import Absent, Path, Source
 from berthing.scenario.vehicle import Vehicle
 from berthing.scenario.wrench import Wrench
 
@@ -42,7 +42,7 @@ def build_vehicle(
     Raises:
         InputError: anything in it that cannot be.
     """
-    body = build_body(block.parts, dim, source, (*path, "parts"))
+    body = build_body(block.parts or (), dim, source, (*path, "parts"))
     model = _MODELS[type(block.dynamics)](block.dynamics, dim, source, (*path, "dynamics"))
     if model.dim != dim:
         what = f"is {model.kind}, of {model.dim} dimensions in a scenario of {dim}"
@@ -64,6 +64,10 @@ def _rigid_body(block: RigidBodyBlock, dim: int, source: Source, path: Path) -> 
     wrenches = tuple(
         _wrench(w, source, (*path, "wrenches", i)) for i, w in enumerate(block.wrenches)
     )
+    if block.mass_kg is None:
+        raise source.error((*path, Absent("mass_kg")), "is missing")
+    if block.inertia_kg_m2 is None:
+        raise source.error((*path, Absent("inertia_kg_m2")), "is missing")
     inertia = np.array(block.inertia_kg_m2)
     with source.at(*path):
         return RigidBody(

@@ -96,6 +96,3 @@ class PartBlock(Placed):
 
     name: Name
     shape: Shape
-
-
-Parts = Annotated[list[PartBlock], Field(min_length=1)]

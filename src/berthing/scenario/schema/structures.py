@@ -7,7 +7,8 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from berthing.scenario.schema.fields import Block, Name, Number, Quaternion, Vector, Vector3
-from berthing.scenario.schema.shapes import Parts, Placed
+from berthing.scenario.schema.meshes import Bodied
+from berthing.scenario.schema.shapes import Placed
 
 
 class FixedMotion(Block):
@@ -48,9 +49,8 @@ MotionBlock = Annotated[
 ]
 
 
-class StructureBlock(Placed):
+class StructureBlock(Placed, Bodied):
     """A body that moves by a law of its own."""
 
     name: Name
-    parts: Parts
     motion: MotionBlock = FixedMotion(type="fixed")

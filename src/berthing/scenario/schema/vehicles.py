@@ -19,7 +19,7 @@ from berthing.scenario.schema.fields import (
     Vector3,
     shape_of,
 )
-from berthing.scenario.schema.shapes import Parts
+from berthing.scenario.schema.meshes import Bodied
 from berthing.scenario.schema.user import PathConstraintBlock, UserModelBlock
 
 Rows3 = list[Vector3]
@@ -39,14 +39,26 @@ class RigidBodyBlock(Block):
     """The paper's spacecraft."""
 
     model: Literal["rigid-body"]
-    mass_kg: Positive
-    inertia_kg_m2: Annotated[
-        Annotated[list[Number], Field(min_length=3, max_length=3), Tag("diagonal")]
-        | Annotated[list[Vector3], Field(min_length=3, max_length=3), Tag("matrix")],
-        Discriminator(lambda v: "matrix" if _has_rows(v) else "diagonal"),
-    ] = Field(description="about the reference point: three principal moments, or 3×3")
+    mass_kg: Positive | None = Field(
+        default=None, description="may be absent where the parts' density or a URDF gives it"
+    )
+    inertia_kg_m2: (
+        Annotated[
+            Annotated[list[Number], Field(min_length=3, max_length=3), Tag("diagonal")]
+            | Annotated[list[Vector3], Field(min_length=3, max_length=3), Tag("matrix")],
+            Discriminator(lambda v: "matrix" if _has_rows(v) else "diagonal"),
+        ]
+        | None
+    ) = Field(
+        default=None,
+        description="about the reference point: three principal moments, or 3×3; may be absent "
+        "where meshes or a URDF give it",
+    )
     first_moment_kg_m: Vector3 = Field(
         default=[0.0, 0.0, 0.0], description="mass times the centre of mass"
+    )
+    density_kg_m3: Positive | None = Field(
+        default=None, description="of meshes, in place of mass, first moment and inertia"
     )
     wrenches: list[WrenchBlock] = Field(default=[])
 
@@ -136,11 +148,10 @@ class EndBlock(Block):
         return self
 
 
-class VehicleBlock(Block):
+class VehicleBlock(Bodied):
     """What is to be moved."""
 
     name: Name
-    parts: Parts
     dynamics: Dynamics
     limits: LimitsBlock = LimitsBlock()
     start: EndBlock | None = Field(

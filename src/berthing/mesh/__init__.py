@@ -1,0 +1,1 @@
+"""CAD meshes and robot descriptions as unions of convex sets that provably contain them."""
