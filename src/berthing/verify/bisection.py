@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 
 from berthing.geometry.arrays import Array
-from berthing.verify.body_motion import Mask
+from berthing.verify.body_motion import Index, Mask
 from berthing.verify.bounds import Bounds
 from berthing.verify.leaves import Collector, Intervals, Leaves, Samples, Status
-from berthing.verify.pair_motion import RelativePose
+from berthing.verify.pair_motion import RelativePose, norm
 from berthing.verify.settings import CertificateSettings
 
 # Intervals worked on at a time: beyond this memory grows and speed does not.
 BLOCK = 16_384
 
+# Plane bounds (k,) of pairs (k,) at poses (k,) with normals (k, 3).
+Plane = Callable[[Index, RelativePose, Array], Array]
+
 
 class Bisection:
     """The search over the pairs of two bodies; ``run`` gives the intervals it ends with.
 
-    Each level works on all open intervals at once: first the second-order bound, from what is
-    known at their ends; then one query at each middle and the first-order bound; what neither
-    proves is split.
+    Each level works on all open intervals at once: first with the normals at their ends, where
+    these are known; then one query at each middle, whose normal is held over the interval; what
+    neither proves is split.
     """
 
     def __init__(self, bounds: Bounds, tubes_m: list[float], settings: CertificateSettings) -> None:
@@ -41,17 +47,29 @@ class Bisection:
     def _drop_far(self, open_: Intervals) -> Intervals:
         """Close the intervals that balls about the parts prove; they need no query."""
         motion, half = self._bounds.motion(open_)
-        value, normal = self._bounds.apart(open_.pair, motion.pose)
-        bound = self._bounds.first(open_, value, normal, motion, half)
+        away = self._bounds.away(open_.pair, motion.pose)
+        length = norm(away)
+        normal = away / np.where(length > 0.0, length, 1.0)[:, None]
+        balls = self._held(open_, normal, self._bounds.of_balls)
+        bound = self._bounds.over(balls, motion, half)
         closed = bound >= open_.required
-        self._close(open_, closed, bound, constant(normal), Status.CERTIFIED)
-        self.far = Samples(open_.pair, open_.middle, value, open_.required).take(closed)
+        self._close(open_, closed, bound, balls.normals, Status.CERTIFIED)
+        gap = self._bounds.of_balls(open_.pair, motion.pose, normal)
+        self.far = Samples(open_.pair, open_.middle, gap, open_.required).take(closed)
         return open_.take(~closed)
+
+    def _held(self, open_: Intervals, normal: Array, plane: Plane) -> Intervals:
+        """With one normal (k, 3) at both ends, and its plane bounds there."""
+        cells = self._bounds.bodies.cells(open_.middle)
+        poses = [self._bounds.bodies.pose(t, cells) for t in (open_.t0, open_.t1)]
+        values = [plane(open_.pair, pose, normal) for pose in poses]
+        normals = np.repeat(normal[:, None], 2, axis=1)
+        return replace(open_, values=np.stack(values, axis=1), normals=normals)
 
     def _level(self, open_: Intervals, last: bool) -> Intervals:
         """Bound every interval, close what is decided, split the rest unless this is the last."""
         motion, half = self._bounds.motion(open_)
-        bound = self._bounds.second(open_, motion, half)
+        bound = self._bounds.over(open_, motion, half)
         closed = bound >= open_.required
         self._close(open_, closed, bound, open_.normals, Status.CERTIFIED)
         keep = ~closed
@@ -59,9 +77,10 @@ class Bisection:
         if not len(open_):
             return open_
         value, normal = self._sample(open_, open_.middle, motion.pose)
-        first = self._bounds.first(open_, value, normal, motion, half)
+        held = self._held(open_, normal, self._bounds.plane)
+        first = self._bounds.over(held, motion, half)
         better = (first > bound)[:, None, None]
-        normals = np.where(better, constant(normal), open_.normals)
+        normals = np.where(better, held.normals, open_.normals)
         bound = np.maximum(bound, first)
         left = self._abandon(open_, bound, normals, value)
         if last:
@@ -126,8 +145,3 @@ class Bisection:
         self, open_: Intervals, which: Mask, bound: Array, normals: Array, status: Status
     ) -> None:
         self._collector.close(open_, which, bound, normals, status)
-
-
-def constant(normal: Array) -> Array:
-    """(k, 3) → (k, 2, 3): the same at both ends."""
-    return np.repeat(normal[:, None], 2, axis=1)

@@ -8,7 +8,7 @@ import numpy as np
 
 from berthing.geometry.arrays import Array
 from berthing.verify.body_motion import Index
-from berthing.verify.interval_bounds import first_order, second_order
+from berthing.verify.interval_bounds import chord_bound
 from berthing.verify.leaves import Intervals
 from berthing.verify.pair_motion import BodyPair, RelativeMotion, RelativePose, norm
 from berthing.verify.part_pair import PartPair
@@ -48,36 +48,24 @@ class Bounds:
         cells = self.bodies.cells(middle)
         return self.bodies.motion(middle, half, cells, self._offset[intervals.pair]), half
 
-    def apart(self, pair: Index, pose: RelativePose) -> tuple[Array, Array]:
-        """Gaps (k,) between balls about the parts, and unit normals (k, 3) from centre to centre.
-
-        The plane bound of these normals is no less than the gap.
-        """
+    def away(self, pair: Index, pose: RelativePose) -> Array:
+        """From the centres of balls about A's parts to those about B's (k, 3)."""
         centre = pose.position + (pose.rotation @ self._offset[pair, :, None])[:, :, 0]
-        away = self._centre_b[pair] - centre
-        length = norm(away)
-        normal = away / np.where(length > 0.0, length, 1.0)[:, None]
-        return length - self._radius[pair] - self._radius_b[pair], normal
+        return np.asarray(self._centre_b[pair] - centre)
 
-    def first(
-        self,
-        intervals: Intervals,
-        value: Array,
-        normal: Array,
-        motion: RelativeMotion,
-        half: Array,
-    ) -> Array:
-        """From the plane bounds (k,) of normals (k, 3) at the middles; −∞ where NaN."""
-        radius = self._radius[intervals.pair]
-        bound = first_order(value, normal, motion, half, radius, self._inflation)
-        return self._of_what_flies(intervals, bound)
+    def of_balls(self, pair: Index, pose: RelativePose, normals: Array) -> Array:
+        """Plane bounds (k,) of normals (k, 3) on the balls, which those on the parts reach."""
+        along = np.einsum("ki,ki->k", normals, self.away(pair, pose))
+        return np.asarray(along - norm(normals) * (self._radius[pair] + self._radius_b[pair]))
 
-    def second(self, intervals: Intervals, motion: RelativeMotion, half: Array) -> Array:
+    def over(self, intervals: Intervals, motion: RelativeMotion, half: Array) -> Array:
         """From the plane bounds and normals at the ends; −∞ where they are not known."""
-        radius, v, n = self._radius[intervals.pair], intervals.values, intervals.normals
-        ends = (v[:, 0], v[:, 1]), (n[:, 0], n[:, 1])
-        bound = second_order(*ends, motion, half, radius, self._inflation)
-        return self._of_what_flies(intervals, bound)
+        radius = self._radius[intervals.pair]
+        values, normals = intervals.values, intervals.normals
+        bound = chord_bound(values, normals, motion, half, radius, self._inflation)
+        # Less rounding and tube; what is not a number proves nothing.
+        less = bound - self.slack[intervals.pair]
+        return np.where(np.isnan(less), -np.inf, less)
 
     def query(self, pair: Index, pose: RelativePose) -> tuple[Array, Array, Array]:
         """Plane bounds (k,), normals (k, 3) and distances (k,) of the pairs (k,) at poses (k,)."""
@@ -99,11 +87,6 @@ class Bounds:
         """Exact distances (k,) of the pairs of parts (k,) at the times t (k,)."""
         pose = self.bodies.pose(t, self.bodies.cells(t))
         return self.query(pair, pose)[2]
-
-    def _of_what_flies(self, intervals: Intervals, bound: Array) -> Array:
-        """Less rounding and tube; what is not a number proves nothing."""
-        less = bound - self.slack[intervals.pair]
-        return np.where(np.isnan(less), -np.inf, less)
 
 
 def by_pair(pair: Index) -> list[tuple[int, Index]]:

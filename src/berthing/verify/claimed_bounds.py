@@ -91,12 +91,7 @@ def _bounds_of(bounds: Bounds, pieces: Intervals) -> tuple[Array, Array]:
         for t, n in ((pieces.t0, n0), (pieces.t1, n1))
     ]
     known = replace(pieces, values=np.stack(values, axis=1))
-    motion, half = bounds.motion(known)
-    # n is constant where both ends agree; elsewhere the mean, no longer than 1, will do as well.
-    mean = 0.5 * (n0 + n1)
-    middle = bounds.plane(pieces.pair, motion.pose, mean)
-    first = bounds.first(known, middle, mean, motion, half)
-    return np.maximum(first, bounds.second(known, motion, half)), known.values
+    return bounds.over(known, *bounds.motion(known)), known.values
 
 
 def no_leaves() -> Leaves:

@@ -1,13 +1,14 @@
 """The motion of one body seen from the frame of another.
 
-In the frame of B, B's parts rest, so that bodies which move together cost nothing. Derivatives
-are taken in that frame: with L = d/dt − ω_B×, the position d of a point of A from B's origin has
-L d = ḋ − Ω×d, L²d = d̈ − 2Ω×ḋ − Ω̇×d + Ω×(Ω×d), and
-‖L³d‖ ≤ J + 3ΩA + 3(Ω̇ + Ω²)V + (Ω̈ + 3ΩΩ̇ + Ω³)D with V, A, J the derivatives of d.
+In the frame of B, B's parts rest, so that bodies which move together cost nothing. A point of A at
+d from B's origin, in inertial axes, is at z = Rᵀd there, R the rotation of B. With B's rate Ω, and
+all in inertial axes, R z′ = ḋ − Ω×d and R z″ = d̈ − 2Ω×ḋ − Ω̇×d + Ω×(Ω×d). The norms of R and its
+derivatives are at most 1, Ω, Ω̇ + Ω², Ω̈ + 3ΩΩ̇ + Ω³; with those of d they bound z‴ by Leibniz' rule.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -32,23 +33,21 @@ class RelativePose:
 class RelativeMotion:
     """The centre of a part of A over intervals (k,) about their middles, axes of B.
 
-    With p the centre's position and w the rate of A relative to B, and h half the interval:
+    With z the centre's position and Q the rotation of A relative to B:
 
     Attributes:
         pose: A's frame at the middle.
-        velocity, acceleration: p′ and p″ at the middle (k, 3).
-        jerk: bound on ‖p‴‖ over the interval (k,).
-        rate, rate_dot: w and w′ at the middle (k, 3).
-        rate_ceiling, rate_dot_ceiling: bounds on ‖w‖ and ‖w′‖ over the interval (k,).
+        velocity, acceleration: z′ and z″ at the middle (k, 3).
+        jerk: bound on ‖z‴‖ over the interval (k,).
+        turn_rate, turn_bend: bounds on ‖Q′‖ and ‖Q″‖ over the interval (k,).
     """
 
     pose: RelativePose
     velocity: Array
     acceleration: Array
     jerk: Array
-    rate: Array
-    rate_ceiling: Array
-    rate_dot_ceiling: Array
+    turn_rate: Array
+    turn_bend: Array
 
     def take(self, which: Mask) -> RelativeMotion:
         """The intervals where ``which`` (k,) holds."""
@@ -91,25 +90,27 @@ class BodyPair:
         pose = RelativePose(_turn(to_b, a.position - b.position), to_b @ a.rotation)
         d, v, acceleration = _difference(a, b, offset, self.a.turns)
         radius = norm(offset)
-        A, J = _point_ceilings(ceilings[0], radius)
-        w, w_dot, w_ddot = a.rate, a.rate_dot, ceilings[0].rate_ddot
+        turns = _turn_ceilings(ceilings[0])
+        jerk = ceilings[0].jerk + radius * turns[3]
+        w, w_dot = a.rate, a.rate_dot
         if not self.b.rests:
-            A, J = A + ceilings[1].acceleration, J + ceilings[1].jerk
+            jerk = jerk + ceilings[1].jerk
         if self.b.turns:
-            D, V = norm(d) + half * (norm(v) + half * A), norm(v) + half * A
-            J = _turning_jerk(J, A, V, D, ceilings[1])
+            other = _turn_ceilings(ceilings[1])
+            jerk = third(other, _ceilings_about(d, v, acceleration, jerk, half))
+            turns = [*turns[:3], third(other, turns)]
             v, acceleration = _turning(d, v, acceleration, b)
             w, w_dot = w - b.rate, w_dot - b.rate_dot - cross(b.rate, w)
-            w_ddot = _turning_rate_ddot(ceilings[0], ceilings[1])
-        w_dot_ceiling = norm(w_dot) + w_ddot * half
+        rate = norm(w)
+        # Q′ = w × Q and Q″ = w′ × Q + w × (w × Q) at the middle.
+        turn_bend = norm(w_dot) + rate**2 + half * turns[3]
         return RelativeMotion(
             pose,
             _turn(to_b, v),
             _turn(to_b, acceleration),
-            J,
-            _turn(to_b, w),
-            norm(w) + w_dot_ceiling * half,
-            w_dot_ceiling,
+            jerk,
+            rate + half * turn_bend,
+            turn_bend,
         )
 
 
@@ -133,28 +134,28 @@ def _difference(a: Jet, b: Jet, offset: Array, turns: bool) -> tuple[Array, Arra
     return d, v, acceleration
 
 
-def _point_ceilings(c: Ceilings, radius: Array) -> tuple[Array, Array]:
-    """Bounds on acceleration and jerk of points at ``radius`` from the frame's origin."""
-    acceleration = c.acceleration + radius * (c.rate_dot + c.rate**2)
-    jerk = c.jerk + radius * (c.rate_ddot + 3.0 * c.rate * c.rate_dot + c.rate**3)
-    return acceleration, jerk
+def _turn_ceilings(c: Ceilings) -> list[Array]:
+    """Bounds on the norms of a rotation and its first three derivatives."""
+    bend = c.rate_dot + c.rate**2
+    return [np.ones_like(c.rate), c.rate, bend, c.rate_ddot + 3.0 * c.rate * c.rate_dot + c.rate**3]
+
+
+def _ceilings_about(d: Array, v: Array, a: Array, jerk: Array, half: Array) -> list[Array]:
+    """Bounds over an interval on d and its derivatives, from their values at its middle."""
+    a_ceiling = norm(a) + half * jerk
+    v_ceiling = norm(v) + half * a_ceiling
+    return [norm(d) + half * v_ceiling, v_ceiling, a_ceiling, jerk]
+
+
+def third(f: Sequence[Array], g: Sequence[Array]) -> Array:
+    """Bound on the third derivative of a product, from those of its factors: Leibniz' rule."""
+    return np.asarray(f[3] * g[0] + 3.0 * f[2] * g[1] + 3.0 * f[1] * g[2] + f[0] * g[3])
 
 
 def _turning(d: Array, v: Array, acceleration: Array, b: Jet) -> tuple[Array, Array]:
     """L d and L²d."""
     swept = cross(b.rate, d)
     return v - swept, acceleration - cross(b.rate_dot, d) - cross(b.rate, 2.0 * v - swept)
-
-
-def _turning_jerk(J: Array, A: Array, V: Array, D: Array, b: Ceilings) -> Array:
-    o, o1, o2 = b.rate, b.rate_dot, b.rate_ddot
-    return J + 3.0 * o * A + 3.0 * (o1 + o * o) * V + (o2 + 3.0 * o * o1 + o**3) * D
-
-
-def _turning_rate_ddot(a: Ceilings, b: Ceilings) -> Array:
-    """‖L²w‖ ≤ ‖ẅ‖ + 2Ω‖ẇ‖ + (Ω̇ + Ω²)‖w‖ for w = ω_A − Ω."""
-    w, w1, w2 = a.rate + b.rate, a.rate_dot + b.rate_dot, a.rate_ddot + b.rate_ddot
-    return w2 + 2.0 * b.rate * w1 + (b.rate_dot + b.rate**2) * w
 
 
 def norm(v: Array) -> Array:
