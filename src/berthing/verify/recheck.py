@@ -102,7 +102,7 @@ def _widest(
         tubes[name] = Tube(
             max(own.position_m, said.position_m), max(own.attitude_rad, said.attitude_rad)
         )
-        if name in claimed and not (
+        if not (
             own.position_m <= said.position_m + TUBE_TOLERANCE
             and own.attitude_rad <= said.attitude_rad + TUBE_TOLERANCE
         ):

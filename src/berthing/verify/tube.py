@@ -6,8 +6,11 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from berthing.geometry.body import Part
 from berthing.scenario.pair import Pair
+from berthing.verify.part_pair import enclosing_ball
 from berthing.verify.replay import Replay
 from berthing.verify.settings import INTEGRATOR_ATTITUDE_RAD, INTEGRATOR_POSITION_M
 
@@ -27,12 +30,14 @@ class Tube:
     def around(self, part: Part) -> float:
         """How far a point of the part may be from where the interpolant has it (m).
 
-        A turn by θ moves a point at the distance ρ from the axis by 2 ρ sin(θ/2) at most.
+        A turn by θ moves a point at the distance ρ from the axis by 2 ρ sin(θ/2) at most; the
+        part lies in a ball.
         """
         if self.attitude_rad == 0.0:
             return self.position_m
-        half = 0.5 * min(self.attitude_rad, math.pi)
-        return self.position_m + 2.0 * math.sin(half) * part.bounding_radius
+        ball, half = enclosing_ball(part), 0.5 * min(self.attitude_rad, math.pi)
+        reach = float(np.linalg.norm(ball.centre)) + ball.radius
+        return self.position_m + 2.0 * math.sin(half) * reach
 
 
 EXACT = Tube(0.0, 0.0)
