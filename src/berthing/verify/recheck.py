@@ -60,7 +60,7 @@ def check_claims(
     """
     motions = Motions(trajectory)
     windows = windows_of(scenario, phase, motions.span_s)
-    tubes, notes = _widest(tubes, claims.tubes)
+    tubes, notes = _widest(tubes, claims)
     notes += _strangers(claims, windows)
     claimed = {claim.pair: claim for claim in claims.pairs}
     verdicts: dict[str, PairVerdict] = {}
@@ -92,17 +92,15 @@ def check_claims(
     )
 
 
-def _widest(
-    found: Mapping[str, Tube], claimed: Mapping[str, Tube]
-) -> tuple[dict[str, Tube], list[str]]:
+def _widest(found: Mapping[str, Tube], claims: PhaseClaims) -> tuple[dict[str, Tube], list[str]]:
     """By vehicle the wider of both tubes, and what is claimed to be narrower than it is."""
     tubes, faults = {}, []
     for name, own in found.items():
-        said = claimed.get(name, EXACT)
+        said = claims.tubes.get(name, EXACT)
         tubes[name] = Tube(
             max(own.position_m, said.position_m), max(own.attitude_rad, said.attitude_rad)
         )
-        if not (
+        if claims.pairs and not (
             own.position_m <= said.position_m + TUBE_TOLERANCE
             and own.attitude_rad <= said.attitude_rad + TUBE_TOLERANCE
         ):
