@@ -44,6 +44,17 @@ class HasLevel(Protocol):
 
 
 @runtime_checkable
+class HasSmoothLevel(Protocol):
+    """A level function with two derivatives, its gradient nowhere zero on the boundary."""
+
+    def level(self, x: Array) -> Array: ...
+
+    def level_gradient(self, x: Array) -> Array: ...
+
+    def level_hessian(self, x: Array) -> Array: ...
+
+
+@runtime_checkable
 class HasMesh(Protocol):
     """Triangles for drawing."""
 
@@ -87,6 +98,30 @@ def level(shape: ConvexSet, x: Array) -> Array:
     if isinstance(shape, HasLevel):
         return shape.level(x)
     raise _lacks(shape, "level function", HasLevel)
+
+
+def level_gradient(shape: ConvexSet, x: Array) -> Array:
+    """Gradient (..., dim) of the level function at x (..., dim), in its unit per metre.
+
+    Raises:
+        CapabilityError: the shape's boundary is not one smooth function's.
+        InputError: the last axis of x is not ``shape.dim``.
+    """
+    if isinstance(shape, HasSmoothLevel):
+        return shape.level_gradient(x)
+    raise _lacks(shape, "smooth level function", HasSmoothLevel)
+
+
+def level_hessian(shape: ConvexSet, x: Array) -> Array:
+    """Second derivatives (..., dim, dim) of the level function at x (..., dim), symmetric.
+
+    Raises:
+        CapabilityError: the shape's boundary is not one smooth function's.
+        InputError: the last axis of x is not ``shape.dim``.
+    """
+    if isinstance(shape, HasSmoothLevel):
+        return shape.level_hessian(x)
+    raise _lacks(shape, "smooth level function", HasSmoothLevel)
 
 
 def mesh(shape: ConvexSet) -> Mesh:

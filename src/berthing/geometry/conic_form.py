@@ -6,55 +6,74 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from berthing.errors import CapabilityError
 from berthing.geometry.arrays import Array
 
 
 @dataclass(frozen=True, eq=False)
 class SecondOrderBlock:
-    """{x : ‖A x + b‖ ≤ head}.
+    """{z : ‖A z + b‖ ≤ head + slope·z}.
 
     Attributes:
-        head: radius of the block, ≥ 0; in metres where A is unitless.
-        A: (k, dim).
+        head: in metres where A is unitless; ≥ 0 unless the block slopes.
+        A: (k, size).
         b: (k,).
+        slope: (size,), or None for zero: the block is then as wide everywhere.
     """
 
     head: float
     A: Array
     b: Array
+    slope: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class ConicForm:
-    """{x : linear_A x ≤ linear_b, and every block's ‖A x + b‖ ≤ head}, in the set's own frame.
+    """{x : for some y, linear_A z ≤ linear_b and ‖A z + b‖ ≤ head + slope·z in every block}.
 
-    By conic duality (Boyd and Vandenberghe, *Convex Optimization*, section 5.9), for a set
-    with an interior,
+    Here z = (x, y), x (dim,) is in the set's own frame, and y (lift,) are helping variables,
+    which most sets do without: a sum of sets has a form only with them. By conic duality (Boyd
+    and Vandenberghe, *Convex Optimization*, section 5.9), for a set with an interior,
 
-        h(n) = min  linear_b·λ + Σ_i (head_i ‖u_i‖ − b_i·u_i)
-               with linear_Aᵀ λ + Σ_i A_iᵀ u_i = n,  λ ≥ 0,
+        h(n) = min  linear_b·λ + Σ_i (head_i τ_i − b_i·u_i)
+               with linear_Aᵀ λ + Σ_i (A_iᵀ u_i − τ_i slope_i) = (n, 0),  λ ≥ 0,  ‖u_i‖ ≤ τ_i,
 
-    and any feasible (λ, u) gives an upper bound on the support value h(n).
+    and any feasible (λ, u, τ) gives an upper bound on the support value h(n).
 
     Attributes:
         dim: of x.
-        linear_A: (m, dim); m may be 0.
+        linear_A: (m, dim + lift); m may be 0.
         linear_b: (m,).
         blocks: second-order cones.
+        lift: number of helping variables; each is a length no longer than the set's bounding
+            radius.
     """
 
     dim: int
     linear_A: Array
     linear_b: Array
     blocks: tuple[SecondOrderBlock, ...]
+    lift: int = 0
+
+    @property
+    def size(self) -> int:
+        """Of z."""
+        return self.dim + self.lift
 
     def excess(self, x: Array) -> Array:
-        """The worst row's left side less its right side (...) at x (..., dim); ≤ 0 inside."""
+        """The worst row's left side less its right side (...) at x (..., dim); ≤ 0 inside.
+
+        Raises:
+            CapabilityError: a form with helping variables.
+        """
+        if self.lift:
+            raise CapabilityError("a conic form with helping variables has no excess")
         x = np.asarray(x, dtype=np.float64)
         rows = [x @ self.linear_A.T - self.linear_b] if len(self.linear_b) else []
         for block in self.blocks:
             length = np.linalg.norm(x @ block.A.T + block.b, axis=-1)
-            rows.append((length - block.head)[..., None])
+            room = block.head if block.slope is None else block.head + x @ block.slope
+            rows.append(np.asarray(length - room)[..., None])
         return np.asarray(np.max(np.concatenate(rows, axis=-1), axis=-1))
 
 

@@ -13,7 +13,10 @@ DIMENSIONS = (2, 3)
 
 
 class ConvexSet(ABC):
-    """A compact convex set in its own frame, in two or three dimensions.
+    """A closed convex set in its own frame, in two or three dimensions.
+
+    Compact, but for the half-space: its support value is +∞ in all directions but one, and so is
+    its bounding radius.
 
     A set is fully described by its support function; what else a set may offer (a conic form,
     vertices, half-spaces, a level function, a mesh) is asked for in ``capability``.
@@ -35,7 +38,8 @@ class ConvexSet(ABC):
 
         Returns:
             values (...), in metres times the length of ``n``, and members of the set (..., dim)
-            in metres.
+            in metres; where no closed form is known, the value is an upper bound, and both are
+            within 1e-9 of the set's size.
 
         Raises:
             InputError: the last axis of ``n`` is not ``dim``.
@@ -44,7 +48,10 @@ class ConvexSet(ABC):
     @property
     @abstractmethod
     def bounding_radius(self) -> float:
-        """sup |x| over the set, about its own origin, in metres."""
+        """sup |x| over the set, about its own origin, in metres.
+
+        Never less; where no closed form is known, up to 0.1% more.
+        """
 
 
 def last_axis(x: Array, dim: int, where: str) -> Array:

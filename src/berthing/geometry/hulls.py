@@ -7,6 +7,7 @@ these.
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 from scipy.optimize import linprog
 from scipy.spatial import ConvexHull, QhullError
 
@@ -65,15 +66,8 @@ def enclosed(A: Array, b: Array, where: str) -> tuple[Array, Array, Array]:
         InputError: two or three dimensions it is not, a row of zeros, or an empty, flat or
             unbounded set.
     """
-    dim = A.shape[1]
-    if dim not in DIMENSIONS:
-        raise InputError(where, f"has {dim} columns", "2 or 3 coordinates a row")
-    length = np.linalg.norm(A, axis=1)
-    if np.any(length == 0.0):
-        raise InputError(where, f"row {int(np.argmin(length))} is zero", "an outward normal")
-    A, b = A / length[:, None], b / length
-    _refuse_unbounded(A, where)
-    centre = _deepest_point(A, b, where)
+    A, b = unit_rows(A, b, where)
+    centre = inner_point(A, b, where)
     slack = b - A @ centre
     hull = _hull(A / slack[:, None], where)
     normal, offset = hull.equations[:, :-1], hull.equations[:, -1]
@@ -82,6 +76,40 @@ def enclosed(A: Array, b: Array, where: str) -> tuple[Array, Array, Array]:
     vertices = vertices[_distinct((vertices - centre) / size)]
     keep = np.sort(hull.vertices)
     return A[keep], b[keep], np.array([_polished(v, A, b, size) for v in vertices])
+
+
+def unit_rows(A: Array, b: Array, where: str) -> tuple[Array, Array]:
+    """A (m, d) with rows of length 1, b (m,) divided alike.
+
+    Raises:
+        InputError: two or three dimensions it is not, or a row of zeros.
+    """
+    dim = A.shape[1]
+    if dim not in DIMENSIONS:
+        raise InputError(where, f"has {dim} columns", "2 or 3 coordinates a row")
+    length = np.linalg.norm(A, axis=1)
+    if np.any(length == 0.0):
+        raise InputError(where, f"row {int(np.argmin(length))} is zero", "an outward normal")
+    return A / length[:, None], b / length
+
+
+def inner_point(A: Array, b: Array, where: str) -> Array:
+    """Centre (d,) of the largest ball in {A x ≤ b}, A of unit rows.
+
+    Raises:
+        InputError: an empty, flat or unbounded set.
+    """
+    _refuse_unbounded(A, where)
+    return _deepest_point(A, b, where)
+
+
+def normal_cones(A: Array, b: Array, centre: Array, where: str) -> npt.NDArray[np.int64]:
+    """Triples (in the plane: pairs) of rows (k, d) whose cones cover all directions.
+
+    The rows of one are those of faces that meet at a vertex of {A x ≤ b}: it is a facet of the
+    polar set about ``centre``, cut into simplices.
+    """
+    return np.array(_hull(A / (b - A @ centre)[:, None], where).simplices, dtype=np.int64)
 
 
 def _refuse_unbounded(A: Array, where: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
@@ -15,6 +16,10 @@ Triangles = npt.NDArray[np.int64]
 
 # Segments of a drawn circle: the chord lies 0.5% of the radius inside the arc.
 CIRCLE_SEGMENTS = 32
+# Directions in which a planar set is sampled that has no outline in closed form.
+OUTLINE_DIRECTIONS = 128
+# Samples nearer to each other than this fraction of the set's size are drawn as one.
+MERGED = 1e-6
 # Times that each triangle of the icosahedron is cut in four: 642 vertices, 1280 triangles.
 SPHERE_SUBDIVISIONS = 3
 
@@ -35,9 +40,9 @@ class Mesh:
     triangles: Triangles
 
 
-def circle(radius: float) -> Array:
-    """Points (CIRCLE_SEGMENTS, 2) of a circle about the origin, counter-clockwise."""
-    angle = np.arange(CIRCLE_SEGMENTS) * (2.0 * np.pi / CIRCLE_SEGMENTS)
+def circle(radius: float, segments: int = CIRCLE_SEGMENTS) -> Array:
+    """Points (segments, 2) of a circle about the origin, counter-clockwise."""
+    angle = np.arange(segments) * (2.0 * np.pi / segments)
     return radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
 
 
@@ -58,6 +63,23 @@ def hull_mesh(points: Array) -> Mesh:
     inward = np.einsum("ij,ij->i", normal, hull.equations[:, :3]) < 0.0
     triangles[inward] = triangles[inward][:, ::-1]
     return Mesh(points, triangles)
+
+
+def support_mesh(support: Callable[[Array], tuple[Array, Array]], dim: int) -> Mesh:
+    """The hull of support points in directions spread evenly, for sets without a closed form."""
+    directions = circle(1.0, OUTLINE_DIRECTIONS) if dim == 2 else unit_sphere().vertices
+    points = support(directions)[1]
+    points = points[_apart(points, MERGED * float(np.max(np.ptp(points, axis=0))))]
+    hull = ConvexHull(points)
+    if dim == 2:
+        return polygon_mesh(points[hull.vertices])
+    return hull_mesh(points[np.sort(hull.vertices)])
+
+
+def _apart(points: Array, distance: float) -> npt.NDArray[np.int64]:
+    """Indices of points of which no two share a cell of that size, give or take a cell's edge."""
+    cells = np.round(points / distance)
+    return np.asarray(np.sort(np.unique(cells, axis=0, return_index=True)[1]))
 
 
 @cache
