@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import hypot
-from typing import Literal, final
+from typing import final
 
 import numpy as np
 
-from berthing.errors import InputError
 from berthing.geometry.arrays import Array
 from berthing.geometry.conic_form import ConicForm, blocks_only, centred_block
 from berthing.geometry.convex_set import ConvexSet, last_axis, norm, positive, unit
 from berthing.geometry.mesh import Mesh, circle, hull_mesh
-
-AXES = ("x", "y", "z")
+from berthing.geometry.revolution import AXES, Axis, axis_index, split
 
 
 @final
@@ -32,13 +30,12 @@ class Cylinder(ConvexSet):
 
     radius: float
     half_length: float
-    axis: Literal["x", "y", "z"] = "x"
+    axis: Axis = "x"
 
     def __post_init__(self) -> None:
         radius = positive(self.radius, "Cylinder.radius")
         half_length = positive(self.half_length, "Cylinder.half_length")
-        if self.axis not in AXES:
-            raise InputError("Cylinder.axis", f"is {self.axis!r}", "x, y or z")
+        axis_index(self.axis, 3, "Cylinder.axis")
         object.__setattr__(self, "radius", radius)
         object.__setattr__(self, "half_length", half_length)
 
@@ -57,14 +54,14 @@ class Cylinder(ConvexSet):
 
     def support(self, n: Array) -> tuple[Array, Array]:
         n = last_axis(n, 3, "Cylinder.support: n")
-        along, across = self._split(n)
+        along, across = split(n, self.axis_index)
         value = self.half_length * np.abs(along) + self.radius * norm(across)
         point = self.radius * unit(across)
         point[..., self.axis_index] = self.half_length * np.sign(along)
         return value, point
 
     def level(self, x: Array) -> Array:
-        along, across = self._split(last_axis(x, 3, "Cylinder.level: x"))
+        along, across = split(last_axis(x, 3, "Cylinder.level: x"), self.axis_index)
         return np.maximum(np.abs(along) - self.half_length, norm(across) - self.radius)
 
     def conic_form(self) -> ConicForm:
@@ -80,9 +77,3 @@ class Cylinder(ConvexSet):
         rim = circle(self.radius)
         ends = [np.insert(rim, self.axis_index, s * self.half_length, axis=1) for s in (-1, 1)]
         return hull_mesh(np.concatenate(ends))
-
-    def _split(self, v: Array) -> tuple[Array, Array]:
-        """The component along the axis (...), and v with that component set to zero (..., 3)."""
-        across = v.copy()
-        across[..., self.axis_index] = 0.0
-        return v[..., self.axis_index], across
