@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from berthing.clearance import separation as module
+from berthing.clearance import coal_pair as module
+from berthing.clearance.coal_pair import CoalPair
 from berthing.clearance.separation import PairQuery, separation
 from berthing.errors import CapabilityError, InputError
 from berthing.geometry.arrays import Array
@@ -15,6 +16,7 @@ from berthing.geometry.box import Box
 from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.cylinder import Cylinder
 from berthing.geometry.ellipsoid import Ellipsoid
+from berthing.geometry.half_space import HalfSpace
 from berthing.geometry.pose import Pose
 from berthing.geometry.sphere import Sphere
 
@@ -119,7 +121,9 @@ def test_what_coal_gets_wrong_is_found_another_way(
     home = Pose.identity(pair[0].dim)
     good = PairQuery(*pair).batch(home, poses)
     spoiled = PairQuery(*pair)
-    spoiled._distance = _Sabotaged(spoiled._distance, spoil)
+    method = spoiled._method
+    assert isinstance(method, CoalPair)
+    method._distance = _Sabotaged(method._distance, spoil)
     distance, _, bound = spoiled.batch(home, poses)
     np.testing.assert_allclose(distance, good[0], atol=1e-5)
     np.testing.assert_allclose(bound, good[0], atol=1e-5)
@@ -129,12 +133,12 @@ def test_what_coal_gets_wrong_is_found_another_way(
 
 def test_a_plane_that_is_too_deep_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     """A tangent plane on the far side: consistent with its depth, and not the way out."""
-    query, near = PairQuery(CUBE, CUBE), np.array([1.5, 0.0, 0.0])
+    query, near = CoalPair(CUBE, CUBE), np.array([1.5, 0.0, 0.0])
     rotation = np.eye(3)[None]
-    proven = query._proven(rotation, near[None], np.array([[0.0, 1.0, 0.0]]))
+    proven = query.proven(rotation, near[None], np.array([[0.0, 1.0, 0.0]]))
     assert proven[0] == -2.0
     assert not query._believable(rotation, near[None], proven, proven)[0]
-    best = query._proven(rotation, near[None], np.array([[1.0, 0.0, 0.0]]))
+    best = query.proven(rotation, near[None], np.array([[1.0, 0.0, 0.0]]))
     assert query._believable(rotation, near[None], best, best)[0]
 
 
@@ -178,5 +182,16 @@ def test_bad_input_is_refused() -> None:
         PairQuery(CUBE, ROD).batch(home, home)
     with pytest.raises(InputError, match=r"PairQuery.batch: was given batches"):
         PairQuery(CUBE, ROD).batch(many, many[:2])
-    with pytest.raises(CapabilityError, match=r"_Unknown has no distance query.*Box.*Sphere"):
-        PairQuery(_Unknown(), CUBE)
+
+
+def test_a_set_that_no_library_knows_is_answered_all_the_same() -> None:
+    poses = scattered(3, 3.0)
+    known = PairQuery(Sphere(1.0), CUBE).batch(Pose.identity(), poses)
+    found = PairQuery(_Unknown(), CUBE).batch(Pose.identity(), poses)
+    np.testing.assert_allclose(found[0], known[0], atol=1e-8)
+
+
+def test_two_half_spaces_have_no_distance() -> None:
+    wall = HalfSpace([0.0, 0.0, 1.0], 0.5)
+    with pytest.raises(CapabilityError, match="two half-spaces"):
+        PairQuery(wall, wall)

@@ -1,62 +1,56 @@
-"""The shapes that every law is tried on, by name.
+"""The shapes and pairs that every law is tried on, and points and poses to try it at.
 
-A law takes ``shape`` or the two of ``pair``; a new shape enters here and is under all of them.
+A law takes ``shape``, ``bounded`` (no half-spaces), ``conic`` (those with a conic form) or the two
+of ``pair``; a new shape enters ``support.shapes`` and is under all of them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import product
 
 import numpy as np
 import pytest
 
 from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array
-from berthing.geometry.box import Box
 from berthing.geometry.capability import HasMesh, HasVertices, level
 from berthing.geometry.convex_set import ConvexSet
-from berthing.geometry.cylinder import Cylinder
-from berthing.geometry.ellipsoid import Ellipsoid
-from berthing.geometry.polytope import Polytope
 from berthing.geometry.pose import Pose
-from berthing.geometry.sphere import Sphere
+from support.shapes import (
+    BOUNDED,
+    CONIC,
+    QUICK_PAIRS,
+    SEARCHED_PAIRS,
+    SHAPES,
+    SLOW_PAIRS,
+    is_searched,
+    size,
+)
 
-# A wedge away from its own origin, and a prism cut by a slanted plane.
-WEDGE = [[1, 0, 0], [3, 0, 0], [1, 2, 0], [1, 0, 1], [3, 0, 0.5], [1, 2, 1]]
-CUT_ROWS = [[1, 0, 0], [-1, 0, 0], [0, 2, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [1, 1, 1]]
-CUT_OFFSETS = [1, 1, 1, 0.5, 0.7, 0.7, 1.2]
-SPACE: dict[str, ConvexSet] = {
-    "box": Box([2.0, 1.0, 0.5]),
-    "plate": Box([2.0, 2.0, 0.01]),
-    "ball": Sphere(0.8),
-    "point": Sphere(0.0),
-    "ellipsoid": Ellipsoid([1.0, 2.0, 0.5]),
-    "needle": Ellipsoid([3.0, 0.1, 0.1]),
-    "cylinder-x": Cylinder(1.0, 2.0),
-    "cylinder-y": Cylinder(0.3, 1.0, "y"),
-    "disc-z": Cylinder(1.5, 0.05, "z"),
-    "wedge": Polytope.from_vertices(WEDGE),
-    "cut-prism": Polytope(CUT_ROWS, CUT_OFFSETS),
-}
-PLANE: dict[str, ConvexSet] = {
-    "rectangle": Box([2.0, 0.5]),
-    "disc": Sphere(0.8, dim=2),
-    "point-2d": Sphere(0.0, dim=2),
-    "ellipse": Ellipsoid([1.0, 2.5]),
-    "triangle": Polytope.from_vertices([[0.5, 0.0], [2.0, 0.3], [1.0, 1.5]]),
-    "pentagon": Polytope([[1, 0], [0, 1], [-1, 0], [0, -1], [1, 1]], [1, 1, 1, 1, 1.5]),
-}
-SHAPES = SPACE | PLANE
-PAIRS = [*product(SPACE, repeat=2), *product(PLANE, repeat=2)]
+Pair = tuple[ConvexSet, ConvexSet]
+GROUPS = {"shape": SHAPES, "bounded": BOUNDED, "conic": CONIC}
+# Poses tried a pair: those that are searched for take up to seconds each where they overlap.
+QUICK_COUNT, SEARCHED_COUNT = 12, 2
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    if "shape" in metafunc.fixturenames:
-        metafunc.parametrize("shape", SHAPES.values(), ids=SHAPES.keys())
+    for name, shapes in GROUPS.items():
+        if name in metafunc.fixturenames:
+            metafunc.parametrize(name, shapes.values(), ids=shapes.keys())
     if "pair" in metafunc.fixturenames:
-        pairs = [(SHAPES[a], SHAPES[b]) for a, b in PAIRS]
-        metafunc.parametrize("pair", pairs, ids=[f"{a}|{b}" for a, b in PAIRS])
+        slow = [pytest.param(*names, marks=pytest.mark.slow) for names in SLOW_PAIRS]
+        chosen = [pytest.param(*names) for names in QUICK_PAIRS + SEARCHED_PAIRS]
+        pairs = [
+            pytest.param(tuple(SHAPES[n] for n in p.values), marks=p.marks, id="|".join(p.values))
+            for p in chosen + slow
+        ]
+        metafunc.parametrize("pair", pairs)
+
+
+@pytest.fixture
+def count(pair: Pair) -> int:
+    """Poses to try of this pair."""
+    return SEARCHED_COUNT if is_searched(pair) else QUICK_COUNT
 
 
 @pytest.fixture
@@ -81,7 +75,7 @@ def members(rng: np.random.Generator) -> Callable[[ConvexSet], Array]:
     """Points of a set, found without its support function: by its level, mesh and vertices."""
 
     def draw(shape: ConvexSet) -> Array:
-        tried = rng.uniform(-1, 1, size=(4000, shape.dim)) * shape.bounding_radius
+        tried = rng.uniform(-1, 1, size=(4000, shape.dim)) * size(shape)
         found = [tried[level(shape, tried) <= 0.0]]
         if isinstance(shape, HasMesh):
             found.append(shape.mesh().vertices[:, : shape.dim])

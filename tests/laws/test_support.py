@@ -13,22 +13,25 @@ from berthing.geometry.arrays import Array
 from berthing.geometry.box import Box
 from berthing.geometry.capability import level
 from berthing.geometry.convex_set import ConvexSet
+from support.shapes import level_rounding, rounding, size
 
-ROUNDING = 1e-12
 Draw = Callable[[int, int], Array]
 Members = Callable[[ConvexSet], Array]
 
 
 def check_bounds_members(shape: ConvexSet, n: Array, x: Array) -> None:
     slack = shape.support(n)[0][:, None] - n @ x.T
-    assert np.all(slack >= -ROUNDING * np.linalg.norm(n, axis=1)[:, None])
+    assert np.all(slack >= -1e-12 * np.linalg.norm(n, axis=1)[:, None])
 
 
 def check_attained(shape: ConvexSet, n: Array) -> None:
+    """Where the value is finite; where it is not, the point is still a member."""
     value, point = shape.support(n)
     length = np.linalg.norm(n, axis=-1)
-    assert np.all(np.abs(np.sum(n * point, axis=-1) - value) <= ROUNDING * length)
-    assert np.all(level(shape, point) <= ROUNDING)
+    attained = np.sum(n * point, axis=-1)
+    within = rounding(shape) * max(size(shape), 1.0) * length
+    assert np.all(np.abs(attained - value)[np.isfinite(value)] <= within[np.isfinite(value)])
+    assert np.all(level(shape, point) <= level_rounding(shape))
 
 
 def test_bounds_every_member(shape: ConvexSet, directions: Draw, members: Members) -> None:
@@ -50,9 +53,10 @@ def test_is_sublinear(shape: ConvexSet, directions: Draw) -> None:
     def h(v: Array) -> Array:
         return shape.support(v)[0]
 
-    size = np.linalg.norm(n, axis=1) + np.linalg.norm(m, axis=1)
-    assert np.all(h(n + m) <= h(n) + h(m) + 10 * ROUNDING * size)
-    np.testing.assert_allclose(h(7.5 * n), 7.5 * h(n), rtol=1e-12, atol=1e-12)
+    within = 10.0 * rounding(shape) * size(shape)
+    lengths = np.linalg.norm(n, axis=1) + np.linalg.norm(m, axis=1)
+    assert np.all(h(n + m) <= h(n) + h(m) + (within + 1e-12) * lengths)
+    np.testing.assert_allclose(h(7.5 * n), 7.5 * h(n), rtol=rounding(shape), atol=1e-12)
 
 
 def test_batches_keep_their_shape(shape: ConvexSet, directions: Draw) -> None:
@@ -62,13 +66,13 @@ def test_batches_keep_their_shape(shape: ConvexSet, directions: Draw) -> None:
     assert point.shape == n.shape
     one_value, one_point = shape.support(n[1, 2, 0])
     assert one_value.shape == ()
-    np.testing.assert_allclose(one_value, value[1, 2, 0])
-    np.testing.assert_allclose(one_point, point[1, 2, 0])
+    np.testing.assert_allclose(one_value, value[1, 2, 0], atol=1e-9)
+    np.testing.assert_allclose(one_point, point[1, 2, 0], atol=1e-6)
 
 
 def test_tiny_directions_still_point(shape: ConvexSet, directions: Draw) -> None:
     n = directions(20, shape.dim)
-    np.testing.assert_allclose(shape.support(1e-200 * n)[1], shape.support(n)[1], atol=1e-9)
+    np.testing.assert_allclose(shape.support(1e-200 * n)[1], shape.support(n)[1], atol=1e-6)
 
 
 def test_another_dimension_is_refused(shape: ConvexSet) -> None:

@@ -20,6 +20,8 @@ import numpy as np
 from berthing.errors import CapabilityError
 from berthing.geometry.arrays import Array
 from berthing.geometry.box import Box
+from berthing.geometry.capsule import Capsule
+from berthing.geometry.cone import Cone
 from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.cylinder import Cylinder
 from berthing.geometry.ellipsoid import Ellipsoid
@@ -63,6 +65,11 @@ def coal_shape(shape: ConvexSet, scale: float, half_thickness: float) -> CoalSha
     return build(shape, scale, half_thickness)
 
 
+def has_coal_shape(shape: ConvexSet) -> bool:
+    """Whether coal has a counterpart of the set."""
+    return type(shape) in _BUILDERS
+
+
 def coal_pair(a: ConvexSet, b: ConvexSet, scale: float) -> tuple[CoalShape, CoalShape]:
     """Two sets of the same dimension for coal, both enlarged by ``scale``.
 
@@ -104,6 +111,17 @@ def _cylinder(shape: Cylinder, scale: float, half_thickness: float) -> CoalShape
     return CoalShape(coal.Cylinder(radius, length), _FROM_Z[shape.axis])
 
 
+def _capsule(shape: Capsule, scale: float, half_thickness: float) -> CoalShape:
+    """A planar one is lifted to one in space, as a disc is to a ball."""
+    radius, length = scale * shape.radius, 2.0 * scale * shape.half_length
+    return CoalShape(coal.Capsule(radius, length), _FROM_Z[shape.axis])
+
+
+def _cone(shape: Cone, scale: float, half_thickness: float) -> CoalShape:
+    radius, length = scale * shape.radius, 2.0 * scale * shape.half_length
+    return CoalShape(coal.Cone(radius, length), _FROM_Z[shape.axis])
+
+
 def _polytope(shape: Polytope, scale: float, half_thickness: float) -> CoalShape:
     corners = scale * shape.corners
     if shape.dim == 2:
@@ -122,5 +140,7 @@ _BUILDERS: Mapping[type[ConvexSet], Callable[[Any, float, float], CoalShape]] = 
     Sphere: _sphere,
     Ellipsoid: _ellipsoid,
     Cylinder: _cylinder,
+    Capsule: _capsule,
+    Cone: _cone,
     Polytope: _polytope,
 }

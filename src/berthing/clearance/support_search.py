@@ -31,12 +31,19 @@ MAX_ROUNDS = 300
 GOLDEN_ANGLE_RAD = np.pi * (3.0 - np.sqrt(5.0))
 
 
-def best_normal(a: ConvexSet, b: ConvexSet, rotation: Array, position: Array) -> Array:
+def best_normal(
+    a: ConvexSet,
+    b: ConvexSet,
+    rotation: Array,
+    position: Array,
+    tolerance_rad: float = DIRECTION_TOLERANCE_RAD,
+) -> Array:
     """A unit normal (d,) that maximises the plane bound of A and B, in A's frame.
 
     Args:
         a, b: sets of the same dimension d.
         rotation, position: pose of B in A's frame, (d, d) and (d,).
+        tolerance_rad: of the direction.
 
     For sets apart the bound is concave in n where it is positive, so the maximum found is the
     distance. For sets that overlap it is the best of ``STARTS`` local maxima: the plane bound
@@ -51,7 +58,7 @@ def best_normal(a: ConvexSet, b: ConvexSet, rotation: Array, position: Array) ->
     )
     values = bound(tried)
     starts = tried[np.argsort(-values)[:STARTS]]
-    found = np.concatenate([starts, _refined(bound, starts, SPACING_RAD[a.dim])])
+    found = np.concatenate([starts, _refined(bound, starts, SPACING_RAD[a.dim], tolerance_rad)])
     return np.asarray(found[np.argmax(bound(found))])
 
 
@@ -68,7 +75,9 @@ def _candidates(a: ConvexSet, b: ConvexSet, rotation: Array, position: Array) ->
     return np.concatenate([directions, -directions, [centre] if centre.any() else own[:1]])
 
 
-def _refined(bound: Callable[[Array], Array], starts: Array, spread: float) -> Array:
+def _refined(
+    bound: Callable[[Array], Array], starts: Array, spread: float, tolerance: float
+) -> Array:
     """Local maxima of the bound from ``starts`` (m, d), all in step.
 
     Pattern search, for the bound has kinks: each round tries a ring of directions about each
@@ -88,7 +97,7 @@ def _refined(bound: Callable[[Array], Array], starts: Array, spread: float) -> A
         n[better] = np.take_along_axis(tried, best[..., None], axis=1)[better, 0]
         value[better] = reached[better]
         step[~better] *= SHRINK
-        if np.all(step < DIRECTION_TOLERANCE_RAD):
+        if np.all(step < tolerance):
             break
     return n
 
