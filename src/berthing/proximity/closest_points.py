@@ -17,8 +17,8 @@ from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
 from berthing.proximity.level_functions import LevelFunctions
 
-ITERATIONS = 80
-"""Polytopes take 8 to 15, functions of degree eight up to 40."""
+ITERATIONS = 100
+"""Polytopes take 10 to 20, functions that bend sharply up to 60."""
 
 TOLERANCE = 1e-11
 """Of the scaled residuals; what is not there after all iterations is used as it is, as a start."""
@@ -26,11 +26,20 @@ TOLERANCE = 1e-11
 TO_BOUNDARY = 0.99
 """Share of the step to the boundary that is taken."""
 
-CENTRING = 0.2
+CENTRING = 0.1
 """Share of the mean complementarity that the next iterate aims at."""
 
+DECREASE = 0.01
+"""Share of the decrease promised that a step must bring."""
+
+HALVINGS = 30
+
+DAMPING = 1e-2
+"""Of the residual, added to the Hessian, which is singular along faces that slide past each other
+and where a function of high degree is flat; it fades as the answer nears."""
+
 CONVEX = 1e-9
-"""Added to the Hessian, which is singular along faces that slide past each other."""
+"""The least that is added."""
 
 
 @dataclass(frozen=True)
@@ -77,29 +86,39 @@ def closest_points(
     s = np.zeros(slope.shape[:1] + slope.shape[2:])
     if not s.size:
         return ClosestPoints(s, s, s, s, np.zeros(len(s)))
-    f, _ = problem.functions(s)
-    slack = np.maximum(-f, 0.1)
-    y = np.full_like(slack, 0.1)
+    slack = -problem.functions(s)[0]
+    point = problem.at(s, slack, 0.1 / slack)
     for _ in range(ITERATIONS):
-        step = problem.step(s, slack, y, mu)
-        if np.all(step.residual < TOLERANCE):
+        if np.all(_largest(point.residual(mu)) < TOLERANCE):
             break
-        s = s + step.primal[:, None] * step.s
-        slack = slack + step.primal[:, None] * step.slack
-        y = y + step.dual[:, None] * step.y
+        point = problem.step(point, mu)
+    y = point.y
     return ClosestPoints(
-        s[:, : a.dim], s[:, a.dim :], y[:, : a.count], y[:, a.count :], step.residual
-    )
+        point.s[:, : a.dim], point.s[:, a.dim :], y[:, : a.count], y[:, a.count :],
+        _largest(point.residual(mu)),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
-class _Step:
+class _Point:
+    """An iterate: points s, slacks and multipliers y above zero, and how far they are off.
+
+    Attributes:
+        dual: gradient of the Lagrangian (n, da + db).
+        primal: f + slack (n, m).
+        J: Jacobian of f (n, m, da + db).
+    """
+
     s: Array
     slack: Array
     y: Array
-    primal: Array
     dual: Array
-    residual: Array
+    primal: Array
+    J: Array
+
+    def residual(self, mu: Array) -> Array:
+        """(n, da + db + 2 m)."""
+        return np.concatenate([self.dual, self.primal, self.slack * self.y - mu], axis=1)
 
 
 @dataclass(frozen=True)
@@ -119,26 +138,40 @@ class _Problem:
         J[:, : a.count, : a.dim], J[:, a.count :, a.dim :] = J_a, J_b
         return np.concatenate([f_a, f_b], axis=1), J
 
-    def step(self, s: Array, slack: Array, y: Array, mu: Array) -> _Step:
+    def at(self, s: Array, slack: Array, y: Array) -> _Point:
         f, J = self.functions(s)
-        delta = self.offset + np.einsum("nij,nj->ni", self.slope, s)
-        slope_t = np.swapaxes(self.slope, 1, 2)
-        J_t = np.swapaxes(J, 1, 2)
-        dual = 2.0 / self.unit_m2 * _times(slope_t, delta) + _times(J_t, y)
-        primal = f + slack
-        residual = np.max(
-            np.abs(np.concatenate([dual, primal, slack * y - mu], axis=1)), axis=1, initial=0.0
-        )
-        aim = CENTRING * np.mean(slack * y, axis=1, keepdims=True)
-        complement = slack * y - np.maximum(mu, aim)
-        H = 2.0 / self.unit_m2 * slope_t @ self.slope + self._curvature(s, y)
-        H = H + J_t @ ((y / slack)[..., None] * J)
-        H = H + CONVEX * np.eye(H.shape[-1])
-        right = -dual - _times(J_t, (y * primal - complement) / slack)
+        delta = self.offset + _times(self.slope, s)
+        pull = 2.0 / self.unit_m2 * _times(np.swapaxes(self.slope, 1, 2), delta)
+        return _Point(s, slack, y, pull + _times(np.swapaxes(J, 1, 2), y), f + slack, J)
+
+    def step(self, point: _Point, mu: Array) -> _Point:
+        """A damped Newton step on every problem, as long as it may be."""
+        mu = np.maximum(mu, CENTRING * np.mean(point.slack * point.y, axis=1, keepdims=True))
+        ds, d_slack, dy = self._direction(point, mu)
+        before = _length(point.residual(mu))
+        alpha = np.minimum(_reach(point.slack, d_slack), _reach(point.y, dy))
+        for _ in range(HALVINGS):
+            a = alpha[:, None]
+            new = self.at(point.s + a * ds, point.slack + a * d_slack, point.y + a * dy)
+            worse = _length(new.residual(mu)) > (1.0 - DECREASE * alpha) * before
+            if not worse.any():
+                break
+            alpha = np.where(worse, 0.5 * alpha, alpha)
+        return new
+
+    def _direction(self, point: _Point, mu: Array) -> tuple[Array, Array, Array]:
+        """Newton's step in s, slack and y."""
+        slope_t, J_t = np.swapaxes(self.slope, 1, 2), np.swapaxes(point.J, 1, 2)
+        slack, y = point.slack, point.y
+        central = slack * y - mu
+        H = 2.0 / self.unit_m2 * slope_t @ self.slope + self._curvature(point.s, y)
+        H = H + J_t @ ((y / slack)[..., None] * point.J)
+        damping = CONVEX + DAMPING * np.minimum(_largest(point.residual(mu)), 1.0)
+        H = H + damping[:, None, None] * np.eye(H.shape[-1])
+        right = -point.dual - _times(J_t, (y * point.primal - central) / slack)
         ds = np.asarray(np.linalg.solve(H, right[..., None])[..., 0], dtype=np.float64)
-        d_slack = -primal - _times(J, ds)
-        dy = -(complement + y * d_slack) / slack
-        return _Step(ds, d_slack, dy, _reach(slack, d_slack), _reach(y, dy), residual)
+        d_slack = -point.primal - _times(point.J, ds)
+        return ds, d_slack, -(central + y * d_slack) / slack
 
     def _curvature(self, s: Array, y: Array) -> Array:
         a, b = self.a, self.b
@@ -153,6 +186,15 @@ def _times(matrix: Array, vector: Array) -> Array:
 
 
 def _reach(value: Array, step: Array) -> Array:
-    """The longest step (n,) up to 1 that keeps ``value`` above zero."""
-    ratio = np.where(step < 0.0, -TO_BOUNDARY * value / np.where(step < 0.0, step, -1.0), 1.0)
-    return np.asarray(np.minimum(1.0, np.min(ratio, axis=1, initial=1.0)))
+    """The longest step (n,) up to 1 that keeps ``value`` (n, m) above zero."""
+    falls = step < 0.0
+    ratio = np.where(falls, -TO_BOUNDARY * value / np.where(falls, step, -1.0), 1.0)
+    return np.asarray(np.minimum(1.0, np.min(ratio, axis=1)))
+
+
+def _length(rows: Array) -> Array:
+    return np.asarray(np.linalg.norm(rows, axis=1), dtype=np.float64)
+
+
+def _largest(rows: Array) -> Array:
+    return np.asarray(np.max(np.abs(rows), axis=1))

@@ -25,8 +25,12 @@ from berthing.geometry.capability import halfspaces
 from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.cylinder import Cylinder
 from berthing.geometry.ellipsoid import Ellipsoid
+from berthing.geometry.half_space import HalfSpace
+from berthing.geometry.intersection import Intersection
 from berthing.geometry.polytope import Polytope
+from berthing.geometry.smoothed_polytope import SmoothedPolytope
 from berthing.geometry.sphere import Sphere
+from berthing.geometry.superellipsoid import Superellipsoid
 from berthing.sym import Sym
 
 Functions = Callable[[Any, Sym, float], Sym]
@@ -100,6 +104,8 @@ def level_functions(shape: ConvexSet) -> LevelFunctions:
 
 def _middle(shape: ConvexSet) -> tuple[Array, float]:
     """A member of the set (d,), inside one that is not flat, and the set's size about it."""
+    if isinstance(shape, HalfSpace):
+        return (shape.offset - 1.0) * shape.normal, 1.0
     axes = np.concatenate([np.eye(shape.dim), -np.eye(shape.dim)])
     extent, points = shape.support(axes)
     widths = 0.5 * (extent[: shape.dim] + extent[shape.dim :])
@@ -137,10 +143,35 @@ def _cylinder(shape: Cylinder, x: Sym, unit_m: float) -> Sym:
     return ca.vertcat(beyond / unit_m, ca.sumsqr(across) - 1)
 
 
+def _superellipsoid(shape: Superellipsoid, x: Sym, unit_m: float) -> Sym:
+    ratio = x / ca.DM(shape.semi_axes)
+    powers = [ratio[i] ** int(p) for i, p in enumerate(shape.exponents)]
+    return ca.sum1(ca.vertcat(*powers)) / shape.bound - 1
+
+
+def _smoothed_polytope(shape: SmoothedPolytope, x: Sym, unit_m: float) -> Sym:
+    natural = np.log(shape.base) * shape.exponents
+    beyond = ca.mtimes(ca.DM(shape.A), x) - ca.DM(shape.b)
+    divisor = np.log(shape.base) * shape.level_exponent
+    return ca.logsumexp(ca.DM(natural) * beyond) / divisor / unit_m
+
+
+def _intersection(shape: Intersection, x: Sym, unit_m: float) -> Sym:
+    columns = []
+    for member, placement in zip(shape.sets, shape.placements, strict=True):
+        own = ca.mtimes(ca.DM(placement.rotation.T), x - ca.DM(placement.position))
+        columns.append(_entry(member)(member, own, unit_m))
+    return ca.vertcat(*columns)
+
+
 FUNCTIONS: dict[type[ConvexSet], Functions] = {
     Box: _halfspaces,
     Polytope: _halfspaces,
+    HalfSpace: _halfspaces,
     Sphere: _ball,
     Ellipsoid: _ellipsoid,
+    Superellipsoid: _superellipsoid,
+    SmoothedPolytope: _smoothed_polytope,
     Cylinder: _cylinder,
+    Intersection: _intersection,
 }

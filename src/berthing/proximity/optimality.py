@@ -119,7 +119,8 @@ class OptimalityFormulation(PairFormulation):
         extent = extent + self.b.support(pose_b.unrotate(-normal))[0]
         gap = np.sum(normal * (pose_b.position - pose_a.position), axis=-1) - extent
         apart = np.maximum(TOUCH * np.sqrt(self.unit_m2) - gap, 0.0)
-        apart = np.where(gap > 0.0, 0.0, apart)
+        # A half-space has no extent off its own normal; nothing is known of the gap then.
+        apart = np.where((gap > 0.0) | ~np.isfinite(gap), 0.0, apart)
         mu = np.concatenate([np.full(side.count, self.centring(side, eps)) for side in (a, b)])
         found = closest_points(a, b, offset - apart[:, None] * normal, slope, self.unit_m2, mu)
         return np.concatenate(
