@@ -6,12 +6,15 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check
 # Tests run in parallel; say PYTEST_ARGS= to run them in one process.
 PYTEST_ARGS ?= -n auto
 
-.PHONY: help plan test test-slow lint lock clean
+.PHONY: help plan test test-slow test-browser lint lock viewer viewer-check clean
 help:
 	@echo "make plan       set up, plan scenario-a, print its verdict, write plans/scenario-a"
 	@echo "make test       set up, then lint, types, layers and the quick tests"
 	@echo "make test-slow  set up, then the slow tests"
+	@echo "make test-browser  set up, then the tests of the page; needs chromium"
 	@echo "make lock       resolve requirements.lock again"
+	@echo "make viewer     build the page's script and style from viewer/; needs node and npm"
+	@echo "make viewer-check  compare them with what is committed"
 
 $(VENV)/.ready: requirements.lock pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
@@ -36,6 +39,22 @@ test: lint
 test-slow: $(VENV)/.ready
 	$(BIN)/pytest $(PYTEST_ARGS) -m slow
 
+# One browser serves them all.
+test-browser: $(VENV)/.ready
+	$(BIN)/pytest -m browser tests/browser
+
+# viewer/ is the source of src/berthing/report/offline/assets, which are committed: users need no
+# node. Packages are checked against the hashes of the lock, which has no addresses.
+viewer/node_modules/.ready: viewer/package.json viewer/package-lock.json
+	cd viewer && npm ci --ignore-scripts --no-audit --no-fund
+	@touch $@
+
+viewer: viewer/node_modules/.ready
+	cd viewer && npm run --silent types && npm run --silent build
+
+viewer-check: viewer/node_modules/.ready
+	cd viewer && npm run --silent types && npm run --silent build -- --check
+
 # Versions and hashes only: no index addresses, no file paths. The public index is asked, whatever
 # this machine is set to use.
 lock:
@@ -47,4 +66,4 @@ lock:
 		--no-emit-trusted-host --output-file requirements.lock pyproject.toml
 
 clean:
-	rm -rf $(VENV) build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) viewer/node_modules build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache

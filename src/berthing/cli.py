@@ -180,6 +180,46 @@ def export_command(
     raise typer.Exit(guarded(work))
 
 
+@app.command("view")
+def view_command(
+    folders: Annotated[
+        list[Path], typer.Argument(metavar="DIR...", help="Plan folders; several are compared.")
+    ],
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="The page; report.html in the folder, or compare.html here, if not given.",
+        ),
+    ] = None,
+    open_it: Annotated[
+        bool, typer.Option("--open/--no-open", help="Open it in a browser, given a display.")
+    ] = True,
+    trust: Annotated[
+        bool,
+        typer.Option("--trust", help="Run code of the user's own that the scenario names."),
+    ] = False,
+) -> None:
+    """Show a plan, or several in one scene, as a page that needs no network.
+
+    The verdict is the one that the folder records; `berthing verify` checks it again.
+
+    **Exit code:** 0 written · 2 bad usage or input
+
+    **Examples**
+
+    - `berthing view plans/scenario-a`
+    - `berthing view plans/one plans/two --out both.html`
+    """
+
+    def work() -> int:
+        from berthing.commands.viewing import run
+
+        return run(folders, out, open_it=open_it, trust=trust)
+
+    raise typer.Exit(guarded(work))
+
+
 @app.command("decompose")
 def decompose_command(
     file: Annotated[Path, typer.Argument(help="STL, OBJ, PLY, GLB or URDF.")],

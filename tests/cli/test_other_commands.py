@@ -65,7 +65,7 @@ def test_version(run):
     assert (done.exit_code, done.stdout) == (0, f"berthing {__version__}\n")
 
 
-@pytest.mark.parametrize("command", ["plan", "verify", "scenarios", "schema"])
+@pytest.mark.parametrize("command", ["plan", "verify", "view", "scenarios", "schema"])
 def test_help_has_examples(run, command):
     done = run(command, "--help")
     assert done.exit_code == 0

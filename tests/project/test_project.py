@@ -1,3 +1,4 @@
+import json
 import re
 from pathlib import Path
 
@@ -47,6 +48,26 @@ def test_the_lock_has_every_dependency():
     locked = re.findall(r"^([\w.-]+)==", text("requirements.lock"), re.MULTILINE)
     assert wanted
     assert {name.replace(".", "-") for name in wanted} <= set(locked)
+
+
+def test_the_lock_of_the_page_has_versions_and_hashes_only():
+    lock = json.loads(text("viewer/package-lock.json"))
+    packages = {name: found for name, found in lock["packages"].items() if name}
+    assert packages
+    for name, found in packages.items():
+        assert {"version", "integrity"} <= set(found), name
+        assert "resolved" not in found, name
+    assert "://" not in text("viewer/package.json")
+
+
+def test_the_page_has_what_its_source_says_it_contains():
+    wanted = json.loads(text("viewer/package.json"))["dependencies"]
+    licences = text("src/berthing/report/offline/assets/LICENCES.txt")
+    assert set(wanted) == {"three", "uplot"}
+    for name, version in wanted.items():
+        assert f"{name} {version}\n" in licences
+    page = text("src/berthing/report/offline/assets/page.html")
+    assert page == text("viewer/src/page.html")
 
 
 def test_the_scenario_in_the_readme_is_one():

@@ -29,6 +29,8 @@ from berthing.scenario.structure import Structure
 from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import PhaseTrajectory, Plan, Segment, VehicleNodes, VehicleTrajectory
 from berthing.verify.boundary import EndErrors
+from berthing.verify.certificate import certify
+from berthing.verify.claims import claims_of
 from berthing.verify.replay import Replay
 from berthing.verify.verdict import PairVerdict
 from berthing.verify.verification import Verification
@@ -216,3 +218,9 @@ def failed(of, outcome="locally_infeasible"):
         Attempt("over block.core", "iteration_limit", 40, 3000, 21.0, cost=0.3),
     )
     return Result(outcome, None, None, attempts, "Allow more time, or another --seed.")
+
+
+def claims(of):
+    """What a search proves of the plan made by hand, which in places is nothing."""
+    proven = [certify(of, of.phase(trajectory.phase), trajectory) for trajectory in plan(of).phases]
+    return claims_of(proven, "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +13,6 @@ from berthing.geometry.pose import Pose
 from berthing.scenario.pair import Pair
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
-from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import PhaseTrajectory, Plan
 
 # Samples of one phase.
@@ -41,28 +41,34 @@ def clearance_curves(scenario: Scenario, plan: Plan) -> list[Curve]:
     for trajectory in plan.phases:
         phase = scenario.phase(trajectory.phase)
         times = np.linspace(trajectory.t0_s, trajectory.t1_s, SAMPLES)
-        poses = _poses(scenario, phase, trajectory, times)
-        found += [_curve(scenario, pair, times, poses) for pair in scenario.pairs(phase)]
+        poses = poses_at(scenario, phase, trajectory, times)
+        found += [curve(scenario, pair, times, poses) for pair in scenario.pairs(phase)]
     return found
 
 
-def _poses(
+def poses_at(
     scenario: Scenario, phase: Phase, trajectory: PhaseTrajectory, times: Array
 ) -> dict[str, Pose]:
+    """Poses of every vehicle and structure, by name, at the times (k,) of the phase."""
     poses = {s.name: s.motion.pose(times) for s in scenario.structures}
     for vehicle in phase.vehicles:
-        poses[vehicle.name] = _vehicle_pose(vehicle, trajectory, times)
+        states = trajectory.vehicle(vehicle.name).state(times)
+        poses[vehicle.name] = vehicle.model.pose(states)
     return poses
 
 
-def _vehicle_pose(vehicle: Vehicle, trajectory: PhaseTrajectory, times: Array) -> Pose:
-    return vehicle.model.pose(trajectory.vehicle(vehicle.name).state(times))
+def part_poses(pair: Pair, poses: Mapping[str, Pose]) -> tuple[Pose, Pose]:
+    """Poses of the two parts, from those of their owners."""
+    return (
+        poses[pair.owner_a.name].compose(pair.part_a.placement),
+        poses[pair.owner_b.name].compose(pair.part_b.placement),
+    )
 
 
-def _curve(scenario: Scenario, pair: Pair, times: Array, poses: dict[str, Pose]) -> Curve:
-    a = poses[pair.owner_a.name].compose(pair.part_a.placement)
-    b = poses[pair.owner_b.name].compose(pair.part_b.placement)
-    distance, _, _ = PairQuery(pair.part_a.shape, pair.part_b.shape).batch(a, b)
+def curve(scenario: Scenario, pair: Pair, times: Array, poses: Mapping[str, Pose]) -> Curve:
+    """The clearance of one pair at the times (k,) of the poses."""
+    query = PairQuery(pair.part_a.shape, pair.part_b.shape)
+    distance, _, _ = query.batch(*part_poses(pair, poses))
     span = (float(times[0]), float(times[-1]))
     windows = scenario.margins.windows(pair.ref_a, pair.ref_b, span)
     return Curve(pair.name, times, distance, tuple(windows))

@@ -18,13 +18,16 @@ from berthing.report.style import (
     new_figure,
 )
 from berthing.report.track import Track
+from berthing.scenario.vehicle import Vehicle
 
 # The last part of a column's name tells its unit, and so which controls share a panel.
 UNITS = {"n": ("Force", "N"), "nm": ("Torque", "N·m")}
 
 
 @dataclass(frozen=True)
-class _Panel:
+class Panel:
+    """Controls of one unit: a title, the unit, and their places among the controls."""
+
     title: str
     unit: str
     columns: list[int]
@@ -35,7 +38,7 @@ def draw_controls(tracks: list[Track]) -> Figure:
     by_vehicle: dict[str, list[Track]] = {}
     for track in tracks:
         by_vehicle.setdefault(track.vehicle.name, []).append(track)
-    panels = {name: _panels(found[0]) for name, found in by_vehicle.items()}
+    panels = {name: control_panels(found[0].vehicle) for name, found in by_vehicle.items()}
     rows, columns = len(panels), max(len(p) for p in panels.values())
     height = 0.45 + 2.9 * rows
     figure = new_figure(12.6 if columns > 1 else 8.6, height)
@@ -55,15 +58,15 @@ def draw_controls(tracks: list[Track]) -> Figure:
     return figure
 
 
-def _panels(track: Track) -> list[_Panel]:
-    names = track.vehicle.model.control_names
+def control_panels(vehicle: Vehicle) -> list[Panel]:
+    """The controls of a vehicle by unit, in the order of the model."""
     units: dict[str, list[int]] = {}
-    for i, name in enumerate(names):
+    for i, name in enumerate(vehicle.model.control_names):
         units.setdefault(name.rsplit("_", 1)[-1], []).append(i)
-    return [_Panel(*UNITS.get(unit, ("Control", unit)), columns) for unit, columns in units.items()]
+    return [Panel(*UNITS.get(unit, ("Control", unit)), columns) for unit, columns in units.items()]
 
 
-def _draw_panel(axes: Axes, panel: _Panel, tracks: list[Track]) -> None:
+def _draw_panel(axes: Axes, panel: Panel, tracks: list[Track]) -> None:
     for rank, column in enumerate(panel.columns):
         name = tracks[0].vehicle.model.control_names[column].rsplit("_", 1)[0]
         colour = COMPONENT_COLOURS.get(name[-1], SERIES_COLOURS[rank % len(SERIES_COLOURS)])

@@ -9,9 +9,10 @@ from typing import Any
 from berthing.errors import InputError
 from berthing.report.figures import draw_figures
 from berthing.report.fresh_folder import FAILURE_JSON, FIGURES, REPORT_HTML, fresh_folder
-from berthing.report.page import page
+from berthing.report.offline.content import Content
+from berthing.report.offline.page import page
+from berthing.report.offline.shown import Shown
 from berthing.report.plan_json import failure_document, plan_document, to_text
-from berthing.report.verdict_table import result_rows
 from berthing.result import Result
 from berthing.scenario.normal import document_sha256
 from berthing.scenario.options import SolverOptions
@@ -69,15 +70,17 @@ def _write_plan(
     write_claims(folder / CERTIFICATE_JSON, claims)
     figures = folder / FIGURES
     figures.mkdir()
-    drawn = draw_figures(scenario, plan, verification, figures)
-    rows = result_rows(scenario, result)
-    text = page(scenario.name, scenario.description, rows, verification.reasons, drawn)
-    _write(folder / REPORT_HTML, text)
-    document = plan_document(scenario, plan, verification, result.outcome)
+    draw_figures(scenario, plan, verification, figures)
+    content = Content()
+    content.add(scenario.name, scenario, plan, verification, claims)
+    document = plan_document(scenario, plan, verification, result.outcome, result.attempts)
+    # The page shows the times that plan.json has, so its own text, quickly made, is not in them.
     seconds = time.perf_counter() - start
     stages = document["wall_time_s"]
     total = stages.pop("total", 0.0) + seconds
     document["wall_time_s"] = {**stages, "report": seconds, "total": total}
+    shown = Shown(scenario.name, scenario, plan, verification, claims, document)
+    _write(folder / REPORT_HTML, page([shown], content))
     _write(folder / PLAN_JSON, to_text(document))
     return document
 

@@ -11,7 +11,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from berthing._version import __version__
-from berthing.result import Result
+from berthing.result import Attempt, Result
 from berthing.scenario.normal import document_sha256
 from berthing.scenario.options import SolverOptions
 from berthing.scenario.scenario import Scenario
@@ -24,7 +24,11 @@ LIBRARIES = ("casadi", "numpy", "scipy", "coal")
 
 
 def plan_document(
-    scenario: Scenario, plan: Plan, verification: Verification, outcome: str
+    scenario: Scenario,
+    plan: Plan,
+    verification: Verification,
+    outcome: str,
+    attempts: Sequence[Attempt] = (),
 ) -> dict[str, Any]:
     """The content of plan.json."""
     return {
@@ -38,6 +42,7 @@ def plan_document(
         "iterations": plan.iterations,
         "seed": plan.seed,
         "wall_time_s": dict(plan.wall_time_s),
+        "attempts": [dataclasses.asdict(attempt) for attempt in attempts],
         "verification": verification.to_json(),
         "versions": versions(),
         "scenario_sha256": document_sha256(scenario.document),

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from berthing.geometry.arrays import Array
 from berthing.report.style import COMPONENT_COLOURS, TEXT, dress, new_figure
-from berthing.report.track import Motion, Track
+from berthing.report.track import Motion, Track, same_sign
 from berthing.verify.verification import Verification
 
 
@@ -72,20 +71,12 @@ def _turns(track: Track) -> bool:
 
 def _draw_panel(axes: Axes, panel: _Panel, track: Track) -> None:
     lines, nodes = panel.columns(track.dense), panel.columns(track.nodes)
-    if panel.components == "wxyz" and len(nodes):
-        nodes = _same_sign(nodes, track)
+    if panel.components == "wxyz":
+        nodes = same_sign(track.nodes, track.dense)
     for i, component in enumerate(panel.components[: lines.shape[1]]):
         colour = COMPONENT_COLOURS[component]
         axes.plot(track.dense.times_s, lines[:, i], color=colour, ls=track.dash, lw=1.4)
         axes.plot(track.nodes.times_s, nodes[:, i], "o", color=colour, ms=3.2, mfc="white", mew=0.8)
-
-
-def _same_sign(nodes: Array, track: Track) -> Array:
-    """The nodes' quaternions with the sign that the line has there; q and −q are one attitude."""
-    nearest = np.searchsorted(track.dense.times_s, track.nodes.times_s)
-    line = track.dense.q_IB[np.minimum(nearest, len(track.dense.times_s) - 1)]
-    flip = np.einsum("ki,ki->k", line, nodes) < 0.0
-    return np.asarray(nodes * np.where(flip, -1.0, 1.0)[:, None])
 
 
 def _caption(figure: Figure, tracks: list[Track]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -48,18 +49,29 @@ class Surface:
         neighbours[where, 1] = owner
         return Surface(mesh.vertices, t, edges, neighbours)
 
+    @cached_property
+    def sharp(self) -> npt.NDArray[np.bool_]:
+        """Which edges (e,) are creases, or the rim of a flat shape: drawn from wherever seen."""
+        normal = _normals(self.vertices[self.triangles])
+        one, other = self.neighbours.T
+        crease = np.einsum("ij,ij->i", normal[one], normal[other]) < CREASE_COSINE
+        return np.asarray(crease | (one == other))
+
     def seen(self, pose: Pose, camera: Camera) -> Seen:
         """What the camera sees of the surface placed at a single pose of space."""
         points = pose.apply(self.vertices)
         corners = points[self.triangles]
-        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
-        front = normal @ camera.towards > EDGE_ON
+        front = _normals(corners) @ camera.towards > EDGE_ON
         one, other = self.neighbours.T
-        crease = np.einsum("ij,ij->i", normal[one], normal[other]) < CREASE_COSINE
-        outline = (front[one] != front[other]) | (one == other)
-        drawn = (front[one] | front[other]) & (crease | outline)
+        outline = front[one] != front[other]
+        drawn = (front[one] | front[other]) & (self.sharp | outline)
         return Seen(corners[front].reshape(-1, 3), points[self.edges[drawn]])
+
+
+def _normals(corners: Array) -> Array:
+    """Unit normals (m, 3) of triangles (m, 3, 3)."""
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return np.asarray(normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300))
 
 
 @dataclass(frozen=True, eq=False)

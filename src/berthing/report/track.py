@@ -128,3 +128,13 @@ def _continuous(q: Array) -> Array:
     turned = np.einsum("ki,ki->k", q[1:], q[:-1]) < 0.0
     sign = np.concatenate([[1.0], np.where(np.cumsum(turned) % 2, -1.0, 1.0)])
     return np.asarray(q * sign[:, None])
+
+
+def same_sign(nodes: Motion, line: Motion) -> Array:
+    """The nodes' quaternions (k, 4), signed as the line is there; q and −q are one attitude."""
+    if not len(nodes.q_IB):
+        return nodes.q_IB
+    nearest = np.searchsorted(line.times_s, nodes.times_s)
+    there = line.q_IB[np.minimum(nearest, len(line.times_s) - 1)]
+    flip = np.einsum("ki,ki->k", there, nodes.q_IB) < 0.0
+    return np.asarray(nodes.q_IB * np.where(flip, -1.0, 1.0)[:, None])

@@ -16,19 +16,36 @@ from berthing.verify.verification import Verification
 
 @dataclass(frozen=True)
 class Row:
-    """A line of the table; ``good`` is None where there is nothing to judge."""
+    """A line of the table.
+
+    Attributes:
+        label, value: as read.
+        good: None where there is nothing to judge.
+        keys: where plan.json has what the value says, a dot between levels.
+    """
 
     label: str
     value: str
     good: bool | None = None
+    keys: tuple[str, ...] = ()
 
+
+def _checked(*names: str) -> tuple[str, ...]:
+    return tuple(f"verification.{name}" for name in names)
+
+
+BOUND, REQUIRED = _checked("clearance_lower_bound_m"), _checked("required_clearance_m")
+CLOSEST = _checked("closest_pair", "closest_distance_m", "closest_time_s")
+LIMITS, MODEL = _checked("limits_ok"), _checked("model_check")
+REPLAY = _checked("replay_position_error_m", "replay_attitude_error_rad")
+DRIFT = _checked("hamiltonian_relative_drift")
 
 WORDS: Mapping[str, str] = {CERTIFIED: "certified", UNDECIDED: "undecided"}
 
 
 def headline(outcome: str) -> Row:
     """The verdict in a word."""
-    return Row("verdict", WORDS.get(outcome, "NOT certified"), outcome == CERTIFIED)
+    return Row("verdict", WORDS.get(outcome, "NOT certified"), outcome == CERTIFIED, ("outcome",))
 
 
 def verification_rows(verification: Verification) -> list[Row]:
@@ -37,14 +54,14 @@ def verification_rows(verification: Verification) -> list[Row]:
     clear = all(pair.verdict in (PAIR_CERTIFIED, EXEMPT) for pair in v.pairs)
     off = f"{_metres(v.replay_position_error_m)}, {v.replay_attitude_error_rad:.2g} rad"
     return [
-        Row("clearance at every instant", _bound(v.clearance_lower_bound_m), clear),
-        Row("clearance required", _metres(v.required_clearance_m)),
-        Row("closest", _closest(v)),
-        Row("limits between nodes", "met" if v.limits_ok else "EXCEEDED", v.limits_ok),
+        Row("clearance at every instant", _bound(v.clearance_lower_bound_m), clear, BOUND),
+        Row("clearance required", _metres(v.required_clearance_m), None, REQUIRED),
+        Row("closest", _closest(v), None, CLOSEST),
+        Row("limits between nodes", "met" if v.limits_ok else "EXCEEDED", v.limits_ok, LIMITS),
         Row("start and goal", _missed(v)),
-        Row("replay of the controls", f"off by {off} at most"),
-        Row("Hamiltonian drift", _share(v.hamiltonian_relative_drift)),
-        Row("equations of motion", v.model_check.replace("_", " ")),
+        Row("replay of the controls", f"off by {off} at most", None, REPLAY),
+        Row("Hamiltonian drift", _share(v.hamiltonian_relative_drift), None, DRIFT),
+        Row("equations of motion", v.model_check.replace("_", " "), None, MODEL),
     ]
 
 
@@ -57,11 +74,12 @@ def plan_rows(plan: Plan) -> list[Row]:
     """What was found, and at what effort."""
     total = plan.wall_time_s.get("total")
     effort = f"{plan.iterations} iterations" + ("" if total is None else f", {total:.1f} s")
+    method = f"{plan.formulation}, {plan.scheme}, {plan.node_count} nodes"
     return [
-        Row("cost", f"{plan.cost:.6g}"),
-        Row("method", f"{plan.formulation}, {plan.scheme}, {plan.node_count} nodes"),
-        Row("effort", effort),
-        Row("seed", str(plan.seed)),
+        Row("cost", f"{plan.cost:.6g}", None, ("cost",)),
+        Row("method", method, None, ("formulation", "scheme", "nodes")),
+        Row("effort", effort, None, ("iterations", "wall_time_s.total")),
+        Row("seed", str(plan.seed), None, ("seed",)),
     ]
 
 
