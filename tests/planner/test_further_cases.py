@@ -28,6 +28,9 @@ COSTS = {
 }
 LOOSE = 1.03
 
+# The equations of these are written once, in the users' vocabulary.
+SAME_SOURCE = {"parking-backwards": 22.61, "piano-mover": 22.94}
+
 
 def planned(name: str, folder: Path) -> dict:
     done = CliRunner().invoke(app, ["plan", name, "--out", str(folder), "--json"])
@@ -54,14 +57,14 @@ def test_in_the_plane_a_certified_plan_keeps_apart_by_elementary_geometry(tmp_pa
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", COSTS)
+@pytest.mark.parametrize("name", [*COSTS, *SAME_SOURCE])
 def test_it_is_certified_and_stays_so_from_its_files(name: str, tmp_path: Path) -> None:
     document = planned(name, tmp_path / "plan")
     verification = document["verification"]
     assert verification["certified"]
-    assert verification["model_check"] == "independent"
+    assert verification["model_check"] == ("same_source" if name in SAME_SOURCE else "independent")
     assert verification["clearance_lower_bound_m"] >= verification["required_clearance_m"]
-    assert document["cost"] <= LOOSE * COSTS[name]
+    assert document["cost"] <= LOOSE * (COSTS | SAME_SOURCE)[name]
     again = CliRunner().invoke(app, ["verify", str(tmp_path / "plan"), "--json"])
     assert again.exit_code == 0, again.output
     table = rows(tmp_path / "plan")

@@ -128,3 +128,10 @@ def test_planar_ends_ride_on_planar_frames() -> None:
 def test_bad_ends_are_refused(make: Callable[[], object]) -> None:
     with pytest.raises(InputError):
         make()
+
+
+def test_in_the_plane_an_end_is_turned_as_it_says() -> None:
+    attitude = FixedAttitude(np.array([np.cos(0.6), 0.0, 0.0, np.sin(0.6)]))
+    end = End(np.array([1.0, 2.0]), attitude=attitude).resolve(0.0, Place(TABLE))
+    turned = end.pose.apply(np.array([1.0, 0.0]))
+    np.testing.assert_allclose(turned, [1.0 + np.cos(1.2), 2.0 + np.sin(1.2)], atol=1e-15)

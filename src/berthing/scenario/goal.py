@@ -128,7 +128,8 @@ class InertialEnd:
     def pose(self) -> Pose:
         """The centre of the set; the nominal attitude where that is not fixed."""
         if len(self.position_m) == 2:
-            return Pose(self.position_m, np.eye(2))
+            w, _, _, z = self.attitude.nominal()
+            return Pose.planar(self.position_m, 2.0 * np.arctan2(z, w))
         return Pose.from_quaternion(self.position_m, self.attitude.nominal())
 
     def rate_rad_s(self, q_IB: Array) -> Array | None:

@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 
 from berthing.geometry.arrays import Array
+from berthing.scenario.bicycle import bicycle
 from berthing.scenario.build.ends import build_end
 from berthing.scenario.build.names import check_exists, check_unique
 from berthing.scenario.build.parts import build_body
 from berthing.scenario.build.user_code import build_path_constraints, build_user_model
+from berthing.scenario.free_flyer import free_flyer
 from berthing.scenario.goal import End
 from berthing.scenario.limits import Limits
 from berthing.scenario.native_state import Model
@@ -20,6 +22,8 @@ from berthing.scenario.rigid_body import RigidBody
 from berthing.scenario.schema.fields import Block
 from berthing.scenario.schema.user import UserModelBlock
 from berthing.scenario.schema.vehicles import (
+    BicycleBlock,
+    FreeFlyerBlock,
     PointMassBlock,
     RigidBodyBlock,
     VehicleBlock,
@@ -46,7 +50,8 @@ def build_vehicle(
     model = _MODELS[type(block.dynamics)](block.dynamics, dim, source, (*path, "dynamics"))
     if model.dim != dim:
         what = f"is {model.kind}, of {model.dim} dimensions in a scenario of {dim}"
-        raise source.error((*path, "dynamics", "model"), what, "point-mass in the plane")
+        known = "point-mass, free-flyer or bicycle in the plane"
+        raise source.error((*path, "dynamics", "model"), what, known)
     limits = _limits(block, model, source, (*path, "limits"))
     goal = build_end(block.goal, model, source, (*path, "goal"))
     if block.start is not None:
@@ -92,6 +97,10 @@ def _wrench(block: WrenchBlock, source: Source, path: Path) -> Wrench:
 _MODELS: dict[type[Block], Callable[[Any, int, Source, Path], Model]] = {
     RigidBodyBlock: _rigid_body,
     PointMassBlock: lambda block, dim, source, path: PointMass(block.mass_kg, dim),
+    BicycleBlock: lambda block, dim, source, path: bicycle(block.wheelbase_m),
+    FreeFlyerBlock: lambda block, dim, source, path: free_flyer(
+        block.mass_kg, block.inertia_kg_m2
+    ),
     UserModelBlock: lambda block, dim, source, path: build_user_model(block, source, path),
 }
 

@@ -70,7 +70,25 @@ class PointMassBlock(Block):
     mass_kg: Positive
 
 
-Dynamics = Annotated[RigidBodyBlock | PointMassBlock | UserModelBlock, Field(discriminator="model")]
+class BicycleBlock(Block):
+    """A car in the plane, reference at the rear axle; limits by name under states and controls."""
+
+    model: Literal["bicycle"]
+    wheelbase_m: Positive
+
+
+class FreeFlyerBlock(Block):
+    """A rigid body in the plane, force in its own axes."""
+
+    model: Literal["free-flyer"]
+    mass_kg: Positive
+    inertia_kg_m2: Positive = Field(description="about the centre of mass, the reference point")
+
+
+Dynamics = Annotated[
+    RigidBodyBlock | PointMassBlock | FreeFlyerBlock | BicycleBlock | UserModelBlock,
+    Field(discriminator="model"),
+]
 
 Bound = Annotated[list[Number | None], Field(min_length=2, max_length=3)]
 Range = Annotated[list[Number | None], Field(min_length=2, max_length=2)]
