@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from berthing.errors import InputError
 from berthing.geometry.capability import HasVertices
 from berthing.geometry.convex_set import ConvexSet, norm
 from berthing.geometry.pose import Pose
+from berthing.geometry.shape_model import EXACT, ShapeModel
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,8 +20,9 @@ class Part:
 
     Attributes:
         name: unique within the body.
-        shape: the set.
+        shape: the set, as plans are checked against.
         placement: a single pose of the set's frame in the body's.
+        model: what stands for the set while a motion is planned.
 
     Raises:
         InputError: dimensions that differ, or a batch of placements.
@@ -28,6 +31,7 @@ class Part:
     name: str
     shape: ConvexSet
     placement: Pose
+    model: ShapeModel = EXACT
 
     def __post_init__(self) -> None:
         if self.placement.batch_shape:
@@ -38,6 +42,20 @@ class Part:
                 f"places a set of {self.shape.dim} dimensions in {self.placement.dim}",
                 "the same number of dimensions",
             )
+
+    @cached_property
+    def planning_shape(self) -> ConvexSet:
+        """The set's model, or the set itself where it is to be exact or is smooth as it is.
+
+        Raises:
+            InputError: no such model of such a set, or one of which nothing is left.
+        """
+        return self.model.of(self.shape)
+
+    @property
+    def planned_smaller(self) -> bool:
+        """Whether the model lies inside the set: plans with it need not keep the set clear."""
+        return self.model.side == "inner" and self.planning_shape is not self.shape
 
     @property
     def bounding_radius(self) -> float:

@@ -51,7 +51,8 @@ class ShapeModel:
         if self.side == "exact" and given:
             raise InputError(given[0], "stands beside an exact model", "inner or outer with it")
         if self.side != "exact" and len(given) != 1:
-            raise InputError(self.side, f"has {len(given)} of them", "one of exponent and error_m")
+            what = f"is {self.side}, with {len(given)} of exponent and error_m"
+            raise InputError("side", what, "one of the two")
 
     def of(self, shape: ConvexSet) -> ConvexSet:
         """The shape's model; the shape itself where it is smooth as it is, or to be exact.
@@ -67,9 +68,13 @@ class ShapeModel:
             able = ", ".join(kind.__name__ for kind in (*_MODELS, *_SMOOTH))
             what = f"{type(shape).__name__} has no {self.side} model"
             raise InputError("shape_model", what, f"exact, or one of: {able}") from None
-        if self.exponent is not None:
-            return by_exponent[self.side](shape, self.exponent)
-        return by_error(shape, self.error_m, self.side)
+        try:
+            if self.exponent is not None:
+                return by_exponent[self.side](shape, self.exponent)
+            return by_error(shape, self.error_m, self.side)
+        except InputError as error:
+            what = f"{error.where} {error.what}"
+            raise InputError("shape_model", what, error.expected) from None
 
 
 EXACT = ShapeModel()

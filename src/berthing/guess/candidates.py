@@ -180,14 +180,18 @@ def _random(
 
 
 def _obstacles(scenario: Scenario, end: _Ends, duration_s: float) -> list[tuple[str, Body, Pose]]:
-    """Structures at half time, nearest the straight line first."""
+    """Structures at half time, nearest the straight line first; nothing goes around half-spaces."""
     found = []
     for structure in scenario.structures:
         pose = structure.motion.pose(np.array([0.5 * duration_s]))[0]
-        centre = _centre(structure.body, pose)
+        parts = [part for part in structure.body.parts if np.isfinite(part.bounding_radius)]
+        if not parts:
+            continue
+        body = Body(tuple(parts))
+        centre = _centre(body, pose)
         along = np.clip((centre - end.r0) @ end.along, 0.0, np.linalg.norm(end.r1 - end.r0))
         distance = float(np.linalg.norm(centre - end.r0 - along * end.along))
-        found.append((distance, structure.name, structure.body, pose))
+        found.append((distance, structure.name, body, pose))
     found.sort(key=lambda item: item[0])
     return [(name, body, pose) for _, name, body, pose in found[:MAX_OBSTACLES]]
 

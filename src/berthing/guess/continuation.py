@@ -28,7 +28,7 @@ from berthing.scenario.vehicle import Vehicle
 from berthing.solve.ipopt import Budget, Solver, Start
 from berthing.solve.outcome import Outcome
 from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import Motion, Problem, build
+from berthing.transcription.problem import Motion, Problem, ShapesOf, build, planned_shapes
 from berthing.transcription.sites import node_sites
 
 BEND = 0.1
@@ -48,6 +48,7 @@ class Continuation:
         budget: of each sub-problem.
         backoff_m: added to every margin.
         report: is told (name of the sub-problem, the sub-problem, its outcome).
+        shapes_of: what stands for the parts of a pair.
     """
 
     scenario: Scenario
@@ -57,6 +58,7 @@ class Continuation:
     budget: Budget
     backoff_m: float
     report: Report
+    shapes_of: ShapesOf = planned_shapes
 
     def motion(self, seed: int) -> Motion:
         """The superposed guess.
@@ -86,7 +88,10 @@ class Continuation:
         """With separation rows of these pairs only; None where the solver finds nothing."""
         count = len(self.scenario.pairs(self.phase))
         sites = [site for site in node_sites(self.mesh, count) if site.pair in pairs]
-        problem = build(self.scenario, self.phase, self.mesh, sites, self.formulation)
+        problem = build(
+            self.scenario, self.phase, self.mesh, sites, self.formulation,
+            shapes_of=self.shapes_of,
+        )  # fmt: skip
         solver = Solver.build(problem, "cold", self.budget)
         begin = Start(start, exact_normals(problem.pairs))
         outcome = solver.solve(self.scenario, begin, backoff_m=self.backoff_m)

@@ -29,8 +29,8 @@ class Vehicle:
         path_constraints: g(x, u, t) ≤ 0 of the user's own, at every instant.
 
     Raises:
-        InputError: dimensions or lengths that do not fit together, or an end that asks for what
-            the model does not have.
+        InputError: dimensions or lengths that do not fit together, a part without bounds, or an
+            end that asks for what the model does not have.
     """
 
     name: str
@@ -51,6 +51,10 @@ class Vehicle:
         if len(set(found.values())) > 1:
             parts = ", ".join(f"{key} {value}-D" for key, value in found.items())
             raise InputError(self.name, f"mixes dimensions: {parts}", "one dimension")
+        for part in self.body.parts:
+            if not np.isfinite(part.bounding_radius):
+                what = f"has a part {part.name!r} without bounds: {type(part.shape).__name__}"
+                raise InputError(self.name, what, "bounded sets")
         nx, nu = len(self.model.state_names), len(self.model.control_names)
         if (len(self.limits.state_lower), len(self.limits.control_lower)) != (nx, nu):
             raise InputError(

@@ -38,7 +38,9 @@ class Bounds:
         self._radius = np.array([p.ball_a.radius for p in parts])
         self._centre_b = np.array([p.ball_b.centre for p in parts])
         self._radius_b = np.array([p.ball_b.radius for p in parts])
-        extent = norm(self._centre_b) + self._radius + self._radius_b
+        # A half-space has one plane: it adds no length but its distance from the origin.
+        about_b = np.where(np.isfinite(self._radius_b), self._radius_b, 0.0)
+        extent = norm(self._centre_b) + self._radius + about_b
         rounding = settings.float_slack * (bodies.length(self._offset) + extent)
         self.slack = rounding + np.array(tubes_m)
 

@@ -20,7 +20,10 @@ from berthing.verify.pair_motion import RelativePose
 
 @dataclass(frozen=True)
 class Ball:
-    """A ball that holds a part: centre in the body's frame (3,), radius in m."""
+    """A ball that holds a part: centre in the body's frame (3,), radius in m.
+
+    That of a half-space is infinite, its centre on the plane.
+    """
 
     centre: Array
     radius: float
@@ -81,6 +84,8 @@ def enclosing_ball(part: Part) -> Ball:
 @lru_cache(maxsize=4096)
 def _own_ball(shape: ConvexSet) -> Ball:
     """In the shape's own frame and dimension."""
+    if not np.isfinite(shape.bounding_radius):
+        return Ball(shape.support(np.zeros(shape.dim))[1], np.inf)
     axes = np.eye(shape.dim)
     upper, lower = shape.support(axes)[0], -shape.support(-axes)[0]
     middle = 0.5 * (upper + lower)

@@ -60,9 +60,11 @@ class PairVerdict:
     def reason(self) -> str:
         """Why the pair is not certified; empty where it is."""
         if self.verdict == VIOLATED:
+            overlap_m = self.depth_m - (self.required_m or 0.0)
+            overlap = f": they overlap by {overlap_m:.3g} m" if overlap_m > 0.0 else ""
             return (
                 f"clearance[{self.label}, t = {self.time_s:.6g} s] is short of "
-                f"{self.required_m:g} m by {self.depth_m:.3g} m"
+                f"{self.required_m:g} m by {self.depth_m:.3g} m" + overlap
             )
         if self.gap_s is not None:
             return (

@@ -7,7 +7,7 @@ from typing import Any
 
 from berthing.mesh.decomposition import Decomposition
 from berthing.mesh.mass import NOTHING, MassProperties
-from berthing.scenario.build.parts import build_pose
+from berthing.scenario.build.poses import build_pose
 from berthing.scenario.schema.meshes import AnyPart, MeshPartBlock
 from berthing.scenario.schema.vehicles import Dynamics, RigidBodyBlock
 from berthing.scenario.source import Path, Source

@@ -10,7 +10,9 @@ import numpy as np
 from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
-from berthing.scenario.build.parts import build_body, build_pose, rows_of
+from berthing.scenario.build.parts import build_body
+from berthing.scenario.build.poses import build_pose
+from berthing.scenario.build.shapes import rows_of
 from berthing.scenario.motion import ConstantSpin, ConstantVelocity, Fixed, Motion
 from berthing.scenario.schema.fields import Block
 from berthing.scenario.schema.structures import (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from berthing.scenario import reach
+from berthing.scenario.build.models import with_default_model
 from berthing.scenario.build.names import check_exists, check_overrides, check_unique
 from berthing.scenario.build.structures import build_structure
 from berthing.scenario.build.user_code import build_running_costs
@@ -37,6 +38,8 @@ def build_scenario(file: ScenarioFile, source: Source) -> Scenario:
     """
     dim = len(file.phases[0].vehicles[0].goal.position_m)
     _check_names(file, source)
+    document = normal_document(file)
+    file = with_default_model(file, source)
     structures = tuple(
         build_structure(s, dim, source, ("structures", i)) for i, s in enumerate(file.structures)
     )
@@ -46,9 +49,9 @@ def build_scenario(file: ScenarioFile, source: Source) -> Scenario:
         _phases(file, dim, source),
         structures,
         _margins(file, source),
-        SolverOptions(**file.solver.model_dump()),
+        SolverOptions(**file.solver.model_dump(exclude={"shape_model"})),
         file.meta,
-        normal_document(file),
+        document,
     )
     _check_frames(file, source)
     _check_tables(scenario, source)

@@ -9,6 +9,7 @@ from pydantic import Field, JsonValue, model_validator
 from pydantic_core import PydanticCustomError
 
 from berthing.scenario.schema.fields import Block, Name, NonNegative, Number, Positive, Whole
+from berthing.scenario.schema.shapes import ShapeModelBlock
 from berthing.scenario.schema.structures import StructureBlock
 from berthing.scenario.schema.user import RunningCostBlock
 from berthing.scenario.schema.vehicles import VehicleBlock
@@ -63,7 +64,7 @@ class MarginsBlock(Block):
 
 
 class SolverBlock(Block):
-    """The command line's options; it wins."""
+    """The command line's options; it wins. And how parts are modelled that do not say."""
 
     formulation: Name = "plane"
     scheme: Name = "lgr"
@@ -72,6 +73,7 @@ class SolverBlock(Block):
     seed: Annotated[Whole, Field(ge=0)] = 0
     guess: Name = "default"
     tolerance: Positive | None = None
+    shape_model: ShapeModelBlock | None = None
 
 
 class PhaseContent(Block):

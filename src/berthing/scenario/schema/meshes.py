@@ -8,7 +8,7 @@ from pydantic import Discriminator, Field, JsonValue, Tag, model_validator
 from pydantic_core import PydanticCustomError
 
 from berthing.scenario.schema.fields import Block, Name, Number, Positive, Vector3, shape_of
-from berthing.scenario.schema.shapes import PartBlock, Placed, Shape
+from berthing.scenario.schema.shapes import PartBlock, Placed, Shape, ShapeModelBlock
 
 # Of `berthing.mesh.units`, whose names these are; a test compares them.
 Units = Literal["m", "dm", "cm", "mm", "um", "in", "ft"]
@@ -31,6 +31,9 @@ class MeshPartBlock(Placed):
     )
     volume_ratio: Annotated[Positive, Field(gt=1)] | None = Field(
         default=None, description="volume of the pieces over that of the mesh, to aim at"
+    )
+    shape_model: ShapeModelBlock | None = Field(
+        default=None, description="of every piece, instead of the default under solver"
     )
     pieces: list[PieceBlock] | None = Field(
         default=None, description="written by berthing: convex sets that contain the mesh"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -15,7 +16,11 @@ from berthing.scenario.schema.fields import (
     Quaternion,
     Sizes,
     Vector,
+    Whole,
 )
+
+Axis = Literal["x", "y", "z"]
+Even = Annotated[Whole, Field(ge=2, multiple_of=2)]
 
 
 class BoxShape(Block):
@@ -51,7 +56,7 @@ class CylinderShape(Block):
     type: Literal["cylinder"]
     radius_m: Positive
     length_m: Positive = Field(description="full length")
-    axis: Literal["x", "y", "z"] = "x"
+    axis: Axis = "x"
 
 
 class PolytopeShape(Block):
@@ -73,10 +78,110 @@ class PolytopeShape(Block):
         return self
 
 
+class SuperellipsoidShape(Block):
+    """The points with sum of (x_i / semi_axes_i)^exponents_i at most size^size_exponent."""
+
+    type: Literal["superellipsoid"]
+    semi_axes_m: Sizes
+    exponents: Annotated[list[Even], Field(min_length=1, max_length=3)] = Field(
+        description="even, one an axis, or one for all"
+    )
+    size: Positive = 1.0
+    size_exponent: Positive = 2.0
+
+
+class SmoothedPolytopeShape(Block):
+    """The points with sum of base^(exponents_j (normals_j . x - offsets_j)) at most 1."""
+
+    type: Literal["smoothed-polytope"]
+    normals: list[Vector]
+    offsets_m: list[Number]
+    exponents: list[Positive] = Field(description="per metre, one a row, or one for all")
+    level_exponent: Positive | None = Field(default=None, description="scales the level only")
+    base: Annotated[Positive, Field(gt=1)] = math.e
+
+
+class CapsuleShape(Block):
+    """The points within a radius of a segment."""
+
+    type: Literal["capsule"]
+    radius_m: Positive
+    length_m: Positive = Field(description="of the straight part, caps excluded")
+    axis: Axis = "x"
+
+
+class ConeShape(Block):
+    """A circular cone, its tip forward on the axis, its origin half way up."""
+
+    type: Literal["cone"]
+    radius_m: Positive
+    length_m: Positive = Field(description="full height")
+    axis: Axis = "x"
+
+
+class TruncatedConeShape(Block):
+    """A circular cone cut off below its tip, its origin half way up."""
+
+    type: Literal["truncated-cone"]
+    base_radius_m: Positive = Field(description="at the rear end of the axis")
+    top_radius_m: Positive = Field(description="at the forward end of the axis")
+    length_m: Positive = Field(description="full height")
+    axis: Axis = "x"
+
+
+class HalfSpaceShape(Block):
+    """A wall or ground without end: the points with normal . x <= offset; of structures only."""
+
+    type: Literal["half-space"]
+    normal: Vector = Field(description="outward")
+    offset_m: Number = 0.0
+
+
+class OffsetShape(Block):
+    """Another shape and all within a radius of it."""
+
+    type: Literal["offset"]
+    shape: Shape
+    radius_m: Positive
+
+
+class IntersectionShape(Block):
+    """What several placed shapes have in common; half-spaces are welcome."""
+
+    type: Literal["intersection"]
+    sets: Annotated[list[MemberBlock], Field(min_length=2)]
+
+
 Shape = Annotated[
-    BoxShape | SphereShape | PointShape | EllipsoidShape | CylinderShape | PolytopeShape,
+    BoxShape
+    | SphereShape
+    | PointShape
+    | EllipsoidShape
+    | CylinderShape
+    | PolytopeShape
+    | SuperellipsoidShape
+    | SmoothedPolytopeShape
+    | CapsuleShape
+    | ConeShape
+    | TruncatedConeShape
+    | HalfSpaceShape
+    | OffsetShape
+    | IntersectionShape,
     Field(discriminator="type"),
 ]
+
+
+class ShapeModelBlock(Block):
+    """What stands for a shape while a motion is planned; the check has the shape itself."""
+
+    side: Literal["exact", "inner", "outer"]
+    exponent: Positive | None = Field(
+        default=None,
+        description="per metre for boxes and polytopes, an even power for cylinders",
+    )
+    error_m: Positive | None = Field(
+        default=None, description="distance allowed between model and shape, or exponent"
+    )
 
 
 class Placed(Block):
@@ -91,8 +196,21 @@ class Placed(Block):
     )
 
 
+class MemberBlock(Placed):
+    """One of the sets that an intersection is made of, in the frame of the intersection."""
+
+    shape: Shape
+
+
 class PartBlock(Placed):
     """A convex part of a body, placed in the body's frame."""
 
     name: Name
     shape: Shape
+    shape_model: ShapeModelBlock | None = Field(
+        default=None, description="instead of the default under solver"
+    )
+
+
+OffsetShape.model_rebuild()
+IntersectionShape.model_rebuild()
