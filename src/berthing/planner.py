@@ -13,7 +13,7 @@ from berthing.errors import InputError
 from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import first_motions
 from berthing.guess.normals import exact_normals
-from berthing.refine.begin_with import first_formulation, refine
+from berthing.refine.begin_with import beginning, refine
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import SolverOptions
@@ -88,7 +88,7 @@ def plan(
                 refined = refine(work.refiner(search.poll), *candidate)
                 work.attempts += refined.attempts
                 best = _better(best, refined)
-                if time.monotonic() > work.deadline:
+                if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
                     break
             if best is not None and work.options.tolerance is not None:
                 polished = work.refiner(search.poll).polish("best", best, work.options.tolerance)
@@ -115,6 +115,13 @@ class _Work:
             count = len(self.scenario.phases)
             raise InputError("phases", f"are {count}", "one; several are not planned together yet")
         return self.scenario.phases[0]
+
+    @property
+    def smaller(self) -> list[str]:
+        """Parts that are planned smaller than they are, in the order of the pairs."""
+        pairs = self.scenario.pairs(self.phase)
+        parts = [(p.ref_a, p.part_a) for p in pairs] + [(p.ref_b, p.part_b) for p in pairs]
+        return list(dict.fromkeys(ref for ref, part in parts if part.planned_smaller))
 
     @property
     def deadline(self) -> float:
@@ -164,7 +171,11 @@ class _Work:
         if verification.certified:
             return Result(outcomes.CERTIFIED, made, verification, attempts)
         outcome = outcomes.UNDECIDED if verification.undecided else outcomes.NOT_CERTIFIED
-        advice = "try another --seed or more --nodes; " + "; ".join(verification.reasons[:3])
+        advice = "try another --seed or more --nodes; "
+        if self.smaller:
+            inside = ", ".join(self.smaller)
+            advice = f"planned by models inside the shapes of {inside}: take exact or outer ones; "
+        advice += "; ".join(verification.reasons[:3])
         return Result(outcome, made, verification, attempts, advice)
 
     def _failure(self) -> tuple[str, str]:
@@ -198,11 +209,13 @@ def _search(work: _Work) -> _Search:
     mesh = work.mesh(COARSE_SEGMENTS)
     pairs = scenario.pairs(phase)
     sites = node_sites(mesh, len(pairs))
-    problem = build(scenario, phase, mesh, sites, first_formulation(work.options.formulation))
+    first, normals = beginning(work.options.formulation, pairs), exact_normals(pairs)
+    problem = build(scenario, phase, mesh, sites, first.formulation, shapes_of=first.shapes_of)
     budget = Budget(COARSE_ITERATIONS, min(work.deadline - time.monotonic(), 1e6))
     solver = Solver.build(problem, "cold", budget)
-    formulation, normals = first_formulation(work.options.formulation), exact_normals(pairs)
-    whole = Continuation(scenario, phase, mesh, formulation, budget, BACKOFF_M, work.note)
+    whole = Continuation(
+        scenario, phase, mesh, first.formulation, budget, BACKOFF_M, work.note, first.shapes_of
+    )
     motions = first_motions(work.options.guess, whole, work.options.seed)
     starts = [Start(motion, normals) for _, motion in motions]
     pool = SolvePool(solver, scenario, starts, BACKOFF_M)

@@ -7,27 +7,77 @@ same sites, multipliers included, they are a handful of iterations away.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
+from berthing.errors import CapabilityError
+from berthing.proximity.formulations import formulate
 from berthing.refine.refiner import Refinement, Refiner
-from berthing.transcription.problem import Motion, Problem
+from berthing.scenario.pair import Pair
+from berthing.transcription.problem import (
+    Motion,
+    Problem,
+    ShapesOf,
+    planned_shapes,
+    true_shapes,
+)
 
 FIRST = {"kkt": "plane"}
 """What each form begins with; those not named begin with themselves."""
 
 
-def first_formulation(formulation: str) -> str:
-    """The form in which guesses are solved for a plan by ``formulation``."""
-    return FIRST.get(formulation, formulation)
+@dataclass(frozen=True)
+class Beginning:
+    """The form in which guesses are solved, and what stands for the parts meanwhile."""
+
+    formulation: str
+    shapes_of: ShapesOf
+
+
+def beginning(formulation: str, pairs: Sequence[Pair]) -> Beginning:
+    """How a plan by ``formulation`` begins.
+
+    ``plane`` does not take smoothed polytopes, which have no exact support function: ``kkt`` then
+    begins with its answer for the shapes that they are models of, and with itself where ``plane``
+    does not take those either.
+    """
+    first = FIRST.get(formulation, formulation)
+    if first != formulation:
+        for shapes_of in (planned_shapes, true_shapes):
+            if _takes(first, pairs, shapes_of):
+                return Beginning(first, shapes_of)
+    return Beginning(formulation, planned_shapes)
+
+
+def _takes(formulation: str, pairs: Sequence[Pair], shapes_of: ShapesOf) -> bool:
+    try:
+        for pair in pairs:
+            formulate(formulation, *shapes_of(pair))
+    except CapabilityError:
+        return False
+    return True
 
 
 def refine(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Refinement:
-    """Refine ``motion``, the answer of ``coarse``, in the first form and then in the refiner's."""
-    first = first_formulation(refiner.formulation)
-    begun = replace(refiner, formulation=first).run(name, coarse, motion)
-    if first == refiner.formulation:
+    """Refine ``motion``, the answer of ``coarse``, in the first form and then in the refiner's.
+
+    Where parts are planned smaller than they are, no refinement would make the plan keep clear,
+    and it is left as it comes.
+    """
+    if any(planned_smaller(pair) for pair in coarse.pairs):
+        return refiner.once(name, coarse, motion)
+    first = beginning(refiner.formulation, coarse.pairs)
+    begun = replace(refiner, formulation=first.formulation, shapes_of=first.shapes_of).run(
+        name, coarse, motion
+    )
+    if first.formulation == refiner.formulation:
         return begun
     if begun.answer is None:
         return begun
     followed = refiner.follow(f"{name}, {refiner.formulation}", begun.answer)
     return replace(followed, attempts=[*begun.attempts, *followed.attempts])
+
+
+def planned_smaller(pair: Pair) -> bool:
+    """Whether a model of one of the parts lies inside it."""
+    return pair.part_a.planned_smaller or pair.part_b.planned_smaller

@@ -28,8 +28,8 @@ from berthing.solve.outcome import Outcome
 from berthing.trajectory import Plan
 from berthing.transcription.extract import nodes, trajectories
 from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import Motion, Problem, build
-from berthing.transcription.sites import Site
+from berthing.transcription.problem import Motion, Problem, ShapesOf, build, planned_shapes
+from berthing.transcription.sites import Site, node_sites
 from berthing.verify.verdict import UNDECIDED, VIOLATED
 from berthing.verify.verification import Verification, verify
 
@@ -102,6 +102,7 @@ class Refiner:
         mesh: to begin with.
         report: is told (detail, iterations of the round, best sampled clearance).
         deadline: on the monotonic clock.
+        shapes_of: what stands for the parts of a pair.
     """
 
     scenario: Scenario
@@ -111,6 +112,7 @@ class Refiner:
     seed: int
     report: Callable[[str, int, float | None], None]
     deadline: float
+    shapes_of: ShapesOf = planned_shapes
 
     def run(self, name: str, coarse: Problem, motion: Motion) -> Refinement:
         """Refine ``motion``, the answer of ``coarse``, until certified or out of rounds."""
@@ -122,6 +124,21 @@ class Refiner:
         reach = REACH * motion.duration_s / mesh.control_count
         sites = dip_sites(mesh, sites, sampled, 0.0, spacing, reach)
         return self._rounds(name, mesh, sites, motion, (spacing, reach), None)
+
+    def once(self, name: str, coarse: Problem, motion: Motion) -> Refinement:
+        """The answer with rows at every node, checked, and left as it is."""
+        result = Refinement()
+        motion = resample(motion, self.phase, coarse.mesh, self.mesh)
+        sites = node_sites(self.mesh, len(coarse.pairs))
+        problem = build(self.scenario, self.phase, self.mesh, sites, self.formulation)
+        result.outcome = self._solve(problem, motion, None)
+        result.attempts.append(attempt(f"{name}, as it is", problem, result.outcome))
+        if result.outcome.solved:
+            result.answer = Answer(problem, result.outcome)
+            clearance = _least(self._sample(problem, result.outcome.motion))
+            self.report(name, result.outcome.iterations, clearance)
+            self._verify(result, problem, result.outcome)
+        return result
 
     def follow(self, name: str, answer: Answer) -> Refinement:
         """Refine the answer of another formulation: on its mesh, at its sites, from its point."""
@@ -206,7 +223,10 @@ class Refiner:
 
     def _build(self, mesh: Mesh, sites: list[Site]) -> Problem:
         within = SWEEP * SPACING / self.mesh.control_count
-        return build(self.scenario, self.phase, mesh, sites, self.formulation, sweep_within=within)
+        return build(
+            self.scenario, self.phase, mesh, sites, self.formulation,
+            shapes_of=self.shapes_of, sweep_within=within,
+        )  # fmt: skip
 
     def _solve(self, problem: Problem, motion: Motion, previous: Answer | None) -> Outcome:
         left = max(self.deadline - time.monotonic(), 0.1)

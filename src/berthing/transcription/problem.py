@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from berthing.dynamics.motion import symbolic_motion
 from berthing.geometry.arrays import Array
+from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.pose import Pose
 from berthing.proximity.formulation import PairFormulation, Sweeping
 from berthing.proximity.formulations import formulate
@@ -49,6 +50,20 @@ from berthing.transcription.sweeps import Sweep, add_sweeps
 DEFAULT_REGULARISER = 1e-3
 """Weight of the multipliers' mean square against a cost of order one: it picks one multiplier
 where many will do. At 1e-3 Scenario A's cost moves by less than 1e-6 of itself."""
+
+
+ShapesOf = Callable[[Pair], tuple[ConvexSet, ConvexSet]]
+"""What stands for the two parts of a pair in a programme."""
+
+
+def planned_shapes(pair: Pair) -> tuple[ConvexSet, ConvexSet]:
+    """Their models."""
+    return pair.part_a.planning_shape, pair.part_b.planning_shape
+
+
+def true_shapes(pair: Pair) -> tuple[ConvexSet, ConvexSet]:
+    """Themselves."""
+    return pair.part_a.shape, pair.part_b.shape
 
 
 INACTIVE_MARGIN_M = -1e3
@@ -234,6 +249,7 @@ def build(
     sites: Sequence[Site],
     formulation: str,
     *,
+    shapes_of: ShapesOf = planned_shapes,
     sweep_within: float = 0.0,
     regulariser: float = DEFAULT_REGULARISER,
     t0_s: float = 0.0,
@@ -241,6 +257,7 @@ def build(
     """Assemble the programme of ``phase`` with separation at ``sites``.
 
     Args:
+        shapes_of: what stands for the parts of a pair.
         sweep_within: sites of a pair that follow each other within this fraction of the phase
             share planes, where the formulation has any.
 
@@ -250,7 +267,7 @@ def build(
     """
     pairs = scenario.pairs(phase)
     # Sets are hashed by identity: parts share a formulation where they share their shapes.
-    shapes = [(pair.part_a.shape, pair.part_b.shape) for pair in pairs]
+    shapes = [shapes_of(pair) for pair in pairs]
     forms = {both: formulate(formulation, *both) for both in shapes}
     formulations = tuple(forms[both] for both in shapes)
     scale = phase_scale(scenario, phase)
