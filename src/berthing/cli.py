@@ -63,6 +63,10 @@ def plan_command(
         float | None,
         typer.Option(help="Refine until the Hamiltonian drifts by less than this of its mean."),
     ] = None,
+    effort: Annotated[
+        str | None,
+        typer.Option(help="How far to look for a cheaper way: fast, normal or thorough."),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Plan a scenario, prove the plan, and write a plan folder.
@@ -86,6 +90,7 @@ def plan_command(
         "seed": seed,
         "guess": guess,
         "tolerance": tolerance,
+        "effort": effort,
     }
 
     def work() -> int:

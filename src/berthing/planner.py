@@ -6,25 +6,25 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-
 from berthing import result as outcomes
 from berthing.errors import InputError
 from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import first_motions
 from berthing.guess.normals import exact_normals
+from berthing.guess.search import EFFORTS, Search
 from berthing.refine.begin_with import beginning, refine
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import SolverOptions
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
-from berthing.solve.ipopt import Budget, Solver, Start
+from berthing.solve.ipopt import Budget, Start
 from berthing.solve.outcome import ADVICE, Outcome
-from berthing.solve.parallel import SolvePool, cores
+from berthing.solve.parallel import SolvePool
+from berthing.solve.quick import QuickSolver
 from berthing.transcription.kinks import kink_fractions, through
 from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import Motion, Problem, build
+from berthing.transcription.problem import Problem, build
 from berthing.transcription.sites import node_sites
 from berthing.verify.endpoints import check_endpoints
 
@@ -33,21 +33,11 @@ DEGREE = 4
 
 COARSE_SEGMENTS, FINE_SEGMENTS = 10, 16
 
+COARSE_TOLERANCE = 1e-6
+"""Of guesses' answers, which are solved again on another mesh."""
+
 COARSE_ITERATIONS = 150
 """Guesses that lead anywhere converge in 40 to 110; the rest wander."""
-
-ENOUGH = 6
-"""Guesses solved before the search for more passages ends."""
-
-WORTH_TRYING = 0.97
-"""A further candidate is refined only if its coarse cost, which understates, is below this share
-of the best certified one."""
-
-PATIENCE = 2.5
-"""Times as long as the first answer took: how long more answers are waited for before refining."""
-
-SAME_PASSAGE = 0.25
-"""Coarse answers nearer than this share of the scenario's length are one and the same."""
 
 Progress = Callable[[ProgressEvent], None]
 
@@ -77,21 +67,21 @@ def plan(
     with work.stage("check"):
         check_endpoints(scenario)
     with work.stage("guess"):
-        search = _search(work)
+        problem, search = _search(work)
     best: Refinement | None = None
     with search.pool:
         with work.stage("guess"):
             search.first_answers()
         with work.stage("refine"):
-            # Further guesses are solved on the other core meanwhile.
-            while (candidate := search.next_candidate(best)) is not None:
-                refined = refine(work.refiner(search.poll), *candidate)
+            while (candidate := search.next_candidate(_certified_cost(best))) is not None:
+                name, answer = candidate
+                refined = refine(work.refiner(), name, problem, answer.motion)
                 work.attempts += refined.attempts
                 best = _better(best, refined)
                 if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
                     break
             if best is not None and work.options.tolerance is not None:
-                polished = work.refiner(search.poll).polish("best", best, work.options.tolerance)
+                polished = work.refiner().polish("best", best, work.options.tolerance)
                 work.attempts += polished
     return work.result(best)
 
@@ -146,14 +136,13 @@ class _Work:
         plain = Mesh.of_nodes(self.options.scheme, self.options.nodes, segments, DEGREE)
         return through(plain, kink_fractions(self.phase))
 
-    def refiner(self, meanwhile: Callable[[], None]) -> Refiner:
-        """A refiner that calls ``meanwhile`` after every round."""
+    def refiner(self) -> Refiner:
+        """A refiner that reports here."""
 
         def report(detail: str, iterations: int, clearance_m: float | None) -> None:
             self.iterations += iterations
             self.clearance_m = clearance_m
             self.tell("refine", detail)
-            meanwhile()
 
         return Refiner(
             self.scenario, self.phase, self.mesh(FINE_SEGMENTS), self.options.formulation,
@@ -203,83 +192,35 @@ class _Stage:
         self.work.seconds[self.name] = self.work.seconds.get(self.name, 0.0) + spent
 
 
-def _search(work: _Work) -> _Search:
+def _search(work: _Work) -> tuple[Problem, Search]:
     """The coarse problem and its guesses, ready to be solved."""
     scenario, phase = work.scenario, work.phase
-    mesh = work.mesh(COARSE_SEGMENTS)
+    mesh, effort = work.mesh(COARSE_SEGMENTS), EFFORTS[work.options.effort]
     pairs = scenario.pairs(phase)
     sites = node_sites(mesh, len(pairs))
     first, normals = beginning(work.options.formulation, pairs), exact_normals(pairs)
     problem = build(scenario, phase, mesh, sites, first.formulation, shapes_of=first.shapes_of)
     budget = Budget(COARSE_ITERATIONS, min(work.deadline - time.monotonic(), 1e6))
-    solver = Solver.build(problem, "cold", budget)
     whole = Continuation(
         scenario, phase, mesh, first.formulation, budget, BACKOFF_M, work.note, first.shapes_of
     )
-    motions = first_motions(work.options.guess, whole, work.options.seed)
+    motions = first_motions(work.options.guess, whole, work.options.seed, effort.drawn)
     starts = [Start(motion, normals) for _, motion in motions]
+    names = [name for name, _ in motions]
+    solver = QuickSolver(problem, "cold", budget, COARSE_TOLERANCE, falls_back=False)
+    if solver.quick:
+        # What does not come out by our own method is tried by IPOPT, once nothing else is left.
+        starts += [replace(start, patient=True) for start in starts]
+        names += [f"{name}, again" for name in names]
     pool = SolvePool(solver, scenario, starts, BACKOFF_M)
-    return _Search(work, problem, [name for name, _ in motions], pool)
+    return problem, Search(
+        names, pool, effort, phase, problem.layout.scale.length_m,
+        lambda name, outcome: work.note(name, problem, outcome), work.deadline,
+    )  # fmt: skip
 
 
-@dataclass
-class _Search:
-    """Coarse answers as they come in, and which of them to refine next."""
-
-    work: _Work
-    problem: Problem
-    guesses: list[str]
-    pool: SolvePool
-    found: list[tuple[str, Outcome]] = field(default_factory=list)
-    tried: list[Outcome] = field(default_factory=list)
-
-    def first_answers(self) -> None:
-        """Solve guesses until a few have answers, or the first of them has had time for more."""
-        began, patience = time.monotonic(), float("inf")
-        while self.pool.busy and len(self.found) < ENOUGH:
-            self._take(self.pool.poll(cores(), max(began + patience - time.monotonic(), 0.0)
-                                      if self.found else None))  # fmt: skip
-            spent = time.monotonic() - began
-            if self.found and patience == float("inf"):
-                patience = spent * PATIENCE
-            if spent >= patience:
-                return
-
-    def poll(self) -> None:
-        """Keep one core on the guesses that are left."""
-        self._take(self.pool.poll(cores() - 1, 0.0))
-
-    def next_candidate(self, best: Refinement | None) -> tuple[str, Problem, Motion] | None:
-        """The cheapest answer of a passage not tried yet, if it may beat ``best``."""
-        certified = best is not None and best.certified
-        while True:
-            fresh = [item for item in self.found if self._is_new(item[1])]
-            for name, outcome in sorted(fresh, key=lambda item: item[1].cost):
-                if best is None or not certified or outcome.cost < WORTH_TRYING * best.cost:
-                    self.tried.append(outcome)
-                    return name, self.problem, outcome.motion
-            if certified or not self.pool.busy or time.monotonic() > self.work.deadline:
-                return None
-            self._take(self.pool.poll(cores(), None))
-
-    def _is_new(self, outcome: Outcome) -> bool:
-        apart_m = SAME_PASSAGE * self.problem.layout.scale.length_m
-        return all(_distance(outcome, old, self.work.phase) > apart_m for old in self.tried)
-
-    def _take(self, answers: list[tuple[int, Outcome]]) -> None:
-        for i, outcome in answers:
-            name = self.guesses[i]
-            self.work.note(name, self.problem, outcome)
-            if outcome.solved:
-                self.found.append((name, outcome))
-
-
-def _distance(a: Outcome, b: Outcome, phase: Phase) -> float:
-    """Largest distance of two answers' positions over vehicles and nodes."""
-    gaps = [
-        a.motion.states[v.name][: v.dim] - b.motion.states[v.name][: v.dim] for v in phase.vehicles
-    ]
-    return max(float(np.max(np.linalg.norm(gap, axis=0))) for gap in gaps)
+def _certified_cost(best: Refinement | None) -> float | None:
+    return best.cost if best is not None and best.certified else None
 
 
 def _better(best: Refinement | None, new: Refinement) -> Refinement:

@@ -76,6 +76,7 @@ def test_no_plan_exits_3_and_says_what_was_tried(run, answer, tmp_path, outcome)
         (["scenario-a", "--seed", "-1"], "seed: is -1"),
         (["scenario-a", "--time-limit", "0"], "time_limit_s: is 0"),
         (["scenario-a", "--time-limit", "nan"], "time_limit_s: is nan"),
+        (["scenario-a", "--effort", "lazy"], "effort: is 'lazy'"),
     ],
 )
 def test_bad_input_exits_2_with_one_line_and_writes_nothing(run, answer, tmp_path, words, message):

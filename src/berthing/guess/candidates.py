@@ -17,7 +17,7 @@ from berthing.scenario.scenario import Scenario
 from berthing.scenario.vehicle import Vehicle
 
 RANDOM_GUESSES = 2
-"""Of each round; they are what a seed changes."""
+"""They are what a seed changes."""
 
 MAX_OBSTACLES = 3
 """Structures to go around one by one, those nearest the straight line first."""
@@ -38,8 +38,10 @@ class _Ends:
         return step / length if length > 0.0 else np.eye(len(step))[0]
 
 
-def candidates(scenario: Scenario, phase: Phase, seed: int) -> list[Guess]:
-    """Guesses in the order in which they are worth trying."""
+def candidates(
+    scenario: Scenario, phase: Phase, seed: int, drawn: int = RANDOM_GUESSES
+) -> list[Guess]:
+    """Guesses in the order in which they are worth trying, ``drawn`` of them random."""
     duration = phase.horizon.nominal_s
     ends = {v.name: _ends(scenario, v, duration) for v in phase.vehicles}
     out = [_guess("straight", phase, ends, {}), *_pushing(phase, ends)]
@@ -47,9 +49,9 @@ def candidates(scenario: Scenario, phase: Phase, seed: int) -> list[Guess]:
         return out
     out += _turned(phase, ends)
     around = _around(scenario, phase, ends, duration)
-    drawn = _random(scenario, phase, ends, duration, np.random.default_rng(seed))
+    lots = _random(scenario, phase, ends, duration, np.random.default_rng(seed), drawn)
     # The nearest thing's sides first, then one drawn by the seed, then the rest.
-    return [*out, *around[:4], *drawn[:1], *around[4:], *drawn[1:]]
+    return [*out, *around[:4], *lots[:1], *around[4:], *lots[1:]]
 
 
 def _ends(scenario: Scenario, vehicle: Vehicle, duration_s: float) -> _Ends:
@@ -161,10 +163,11 @@ def _random(
     ends: dict[str, _Ends],
     duration_s: float,
     rng: np.random.Generator,
+    count: int,
 ) -> list[Guess]:
     """Through random poses in a box around everything."""
     out = []
-    for i in range(RANDOM_GUESSES):
+    for i in range(count):
         middle: dict[str, tuple[Array, Array | None]] = {}
         for vehicle in phase.vehicles:
             end = ends[vehicle.name]

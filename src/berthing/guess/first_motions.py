@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from berthing.errors import InputError
-from berthing.guess.candidates import candidates
+from berthing.guess.candidates import RANDOM_GUESSES, candidates
 from berthing.guess.continuation import Continuation
 from berthing.guess.path import motion_along
 from berthing.transcription.problem import Motion
@@ -14,26 +14,31 @@ FirstMotions = list[tuple[str, Motion]]
 """Names and motions, in the order in which they are worth trying."""
 
 
-def _candidates(whole: Continuation, seed: int) -> FirstMotions:
+def _candidates(whole: Continuation, seed: int, drawn: int) -> FirstMotions:
     duration_s = whole.phase.horizon.nominal_s
     return [
         (guess.name, motion_along(guess, whole.phase, whole.mesh, duration_s))
-        for guess in candidates(whole.scenario, whole.phase, seed)
+        for guess in candidates(whole.scenario, whole.phase, seed, drawn)
     ]
 
 
-def _continuation(whole: Continuation, seed: int) -> FirstMotions:
+def _continuation(whole: Continuation, seed: int, _: int) -> FirstMotions:
     return [("paper continuation", whole.motion(seed))]
 
 
-GUESSES: dict[str, Callable[[Continuation, int], FirstMotions]] = {
+GUESSES: dict[str, Callable[[Continuation, int, int], FirstMotions]] = {
     "default": _candidates,
     "paper-continuation": _continuation,
 }
 
 
-def first_motions(name: str, whole: Continuation, seed: int) -> FirstMotions:
+def first_motions(
+    name: str, whole: Continuation, seed: int, drawn: int = RANDOM_GUESSES
+) -> FirstMotions:
     """The motions that the guess ``name`` gives, sub-problems solved where it has some.
+
+    Args:
+        drawn: random guesses, where there are any.
 
     Raises:
         InputError: no such guess.
@@ -43,4 +48,4 @@ def first_motions(name: str, whole: Continuation, seed: int) -> FirstMotions:
     except KeyError:
         known = ", ".join(sorted(GUESSES))
         raise InputError("guess", f"there is no {name!r}", f"one of {known}") from None
-    return make(whole, seed)
+    return make(whole, seed, drawn)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -23,8 +23,9 @@ from berthing.result import Attempt
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.solve.homotopy import solve_by_stages
-from berthing.solve.ipopt import Answer, Budget, Solver, Start
+from berthing.solve.ipopt import Answer, Budget, Start
 from berthing.solve.outcome import Outcome
+from berthing.solve.quick import QuickSolver
 from berthing.trajectory import Plan
 from berthing.transcription.extract import nodes, trajectories
 from berthing.transcription.mesh import Mesh
@@ -231,27 +232,14 @@ class Refiner:
     def _solve(self, problem: Problem, motion: Motion, previous: Answer | None) -> Outcome:
         left = max(self.deadline - time.monotonic(), 0.1)
         preset = "near" if previous is None else "warm"
-        solver = Solver.build(problem, preset, Budget(ITERATIONS, left))
+        solver = QuickSolver(problem, preset, Budget(ITERATIONS, left))
         start = Start(motion, exact_normals(problem.pairs))
         outcome = solver.solve(self.scenario, start, backoff_m=BACKOFF_M, previous=previous)
-        if outcome.solved:
+        if outcome.solved or len(problem.homotopy) < 2:
             return outcome
-        if len(problem.homotopy) < 2:
-            return self._again(problem, start, outcome)
         budget = Budget(ITERATIONS, max(self.deadline - time.monotonic(), 0.1))
         return solve_by_stages(
             problem, self.scenario, start, preset="near", budget=budget, backoff_m=BACKOFF_M
-        )
-
-    def _again(self, problem: Problem, start: Start, failed: Outcome) -> Outcome:
-        """From the same motion with a barrier that begins high: slower, and of longer breath."""
-        left = max(self.deadline - time.monotonic(), 0.1)
-        solver = Solver.build(problem, "cold", Budget(ITERATIONS, left))
-        outcome = solver.solve(self.scenario, start, backoff_m=BACKOFF_M)
-        return replace(
-            outcome,
-            iterations=failed.iterations + outcome.iterations,
-            wall_time_s=failed.wall_time_s + outcome.wall_time_s,
         )
 
     def _sample(self, problem: Problem, motion: Motion) -> SampledClearance:

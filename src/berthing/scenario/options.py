@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from berthing.errors import InputError
 
+EFFORTS = ("fast", "normal", "thorough")
+
 
 @dataclass(frozen=True)
 class SolverOptions:
@@ -20,9 +22,12 @@ class SolverOptions:
         guess: where first trajectories come from, ``default`` or ``paper-continuation``.
         tolerance: drift of the lower Hamiltonian, relative to its mean, down to which the mesh is
             refined about the touches; None leaves the first certified plan as it is.
+        effort: how many guesses are solved and how many answers refined: ``fast``, ``normal`` or
+            ``thorough``. It counts guesses, not seconds, so that every machine tries the same.
 
     Raises:
-        InputError: fewer than two nodes, a time limit or a tolerance not positive, a negative seed.
+        InputError: fewer than two nodes, a time limit or a tolerance not positive, a negative
+            seed, an unknown effort.
     """
 
     formulation: str = "plane"
@@ -32,6 +37,7 @@ class SolverOptions:
     seed: int = 0
     guess: str = "default"
     tolerance: float | None = None
+    effort: str = "normal"
 
     def __post_init__(self) -> None:
         if self.nodes is not None and self.nodes < 2:
@@ -42,3 +48,5 @@ class SolverOptions:
             raise InputError("tolerance", f"is {self.tolerance}", "a positive number")
         if self.seed < 0:
             raise InputError("seed", f"is {self.seed}", "0 or more")
+        if self.effort not in EFFORTS:
+            raise InputError("effort", f"is {self.effort!r}", f"one of {', '.join(EFFORTS)}")

@@ -54,10 +54,12 @@ class Start:
     Attributes:
         motion: states, controls, duration.
         normals: how to part the pairs at its poses.
+        patient: whether IPOPT is to take it, who gives up later than our own method.
     """
 
     motion: Motion
     normals: Normals
+    patient: bool = False
 
     def vector(self, problem: Problem, scenario: Scenario, eps: float | None = None) -> Array:
         """The variables of ``problem`` there, at a stage of its homotopy or the last."""

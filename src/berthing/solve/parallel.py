@@ -13,10 +13,19 @@ import signal
 from collections.abc import Iterator, Sequence
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
+from typing import Protocol
 
 from berthing.scenario.scenario import Scenario
-from berthing.solve.ipopt import Solver, Start
+from berthing.solve.ipopt import Start
 from berthing.solve.outcome import Outcome
+
+
+class Solves(Protocol):
+    """A solver of one problem, ours or IPOPT."""
+
+    def solve(self, scenario: Scenario, start: Start, *, backoff_m: float) -> Outcome:
+        """The outcome from one start."""
+        ...
 
 
 def cores() -> int:
@@ -32,7 +41,7 @@ class SolvePool:
     """
 
     def __init__(
-        self, solver: Solver, scenario: Scenario, starts: Sequence[Start], backoff_m: float
+        self, solver: Solves, scenario: Scenario, starts: Sequence[Start], backoff_m: float
     ) -> None:
         self._solver, self._scenario = solver, scenario
         self._starts, self._backoff_m = starts, backoff_m
@@ -93,7 +102,7 @@ class SolvePool:
 
 
 def solve_each(
-    solver: Solver, scenario: Scenario, starts: Sequence[Start], backoff_m: float
+    solver: Solves, scenario: Scenario, starts: Sequence[Start], backoff_m: float
 ) -> Iterator[tuple[int, Outcome]]:
     """Solve from every start as cores come free; yields (index, outcome) as they end.
 
@@ -116,7 +125,7 @@ def _received(receiver: Connection) -> Outcome | None:
 
 
 def _child(
-    sender: Connection, solver: Solver, scenario: Scenario, start: Start, backoff_m: float
+    sender: Connection, solver: Solves, scenario: Scenario, start: Start, backoff_m: float
 ) -> None:
     # Ctrl-C reaches the whole group; the parent alone decides what becomes of it.
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -74,6 +74,7 @@ class SolverBlock(Block):
     guess: Name = "default"
     tolerance: Positive | None = None
     shape_model: ShapeModelBlock | None = None
+    effort: Literal["fast", "normal", "thorough"] = "normal"
 
 
 class PhaseContent(Block):
