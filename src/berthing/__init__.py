@@ -11,6 +11,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from berthing.clearance.placed_distance import distance
+    from berthing.clearance.signed_distance import SignedDistance
     from berthing.geometry.body import Body, Part
     from berthing.geometry.box import Box
     from berthing.geometry.cylinder import Cylinder
@@ -66,6 +68,7 @@ __all__ = [
     "RigidBody",
     "RunningCost",
     "Scenario",
+    "SignedDistance",
     "SolverOptions",
     "Sphere",
     "Structure",
@@ -73,6 +76,7 @@ __all__ = [
     "UserFunction",
     "UserModel",
     "Vehicle",
+    "distance",
     "from_document",
     "load",
     "plan",
@@ -82,6 +86,8 @@ __all__ = [
 # Loaded when first asked for, so that `berthing.verify` never brings the solver along.
 _HOMES = {
     "plan": "berthing.planner",
+    "distance": "berthing.clearance.placed_distance",
+    "SignedDistance": "berthing.clearance.signed_distance",
     "load": "berthing.scenario.files",
     "from_document": "berthing.scenario.files",
     "verify_folder": "berthing.verify.folder",

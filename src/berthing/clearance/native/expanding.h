@@ -1,0 +1,194 @@
+/* The depth of sets that overlap: the expanding polytope of van den Bergen (Proceedings of the Game
+   Developers Conference, 2001), here with its error known.
+
+   The polytope is a hull of members of B - A, so its nearest face bounds the depth from below: the
+   sets cannot part by less. Each normal bounds it from above, as planes do. */
+#ifndef EXPANDING_H
+#define EXPANDING_H
+#include "gjk.h"
+
+enum { MOST_POINTS = 700, MOST_FACES = 2 * MOST_POINTS };
+
+typedef struct { int v[3], next[3], alive; V m; double d; } Face; /* next[i] lies across v[i] v[i+1] */
+
+typedef struct {
+    Vertex p[MOST_POINTS];
+    Face f[MOST_FACES];
+    int points, faces;
+    int seen[MOST_FACES], edge[MOST_FACES][3], made[MOST_FACES]; /* while it grows */
+} Hull;
+
+/* What the search found: at best the sets part by -`lower` along `normal`, and not by less
+   than -`upper`. */
+typedef struct { double lower, upper; V normal; } Depth;
+
+static int set_face(Hull *h, int f, int a, int b, int c)
+{
+    Face *face = &h->f[f];
+    V p = h->p[a].y, m = cross(sub(h->p[b].y, p), sub(h->p[c].y, p));
+    double size = length(m);
+    face->v[0] = a; face->v[1] = b; face->v[2] = c;
+    face->alive = 1;
+    if (!(size > 0.0)) { face->m = vec(0, 0, 0); face->d = INFINITY; return 0; }
+    face->m = mul(1.0 / size, m);
+    /* The mean of the corners' offsets rounds least. */
+    face->d = (dot(face->m, p) + dot(face->m, h->p[b].y) + dot(face->m, h->p[c].y)) / 3.0;
+    return 1;
+}
+
+static int first_hull(Hull *h)
+{
+    static const int corner[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    static const int across[4][3] = {{1, 3, 2}, {2, 3, 0}, {0, 3, 1}, {1, 2, 0}};
+    V a = h->p[0].y;
+    double six = volume(sub(h->p[1].y, a), sub(h->p[2].y, a), sub(h->p[3].y, a));
+    if (six > 0.0) { Vertex t = h->p[1]; h->p[1] = h->p[2]; h->p[2] = t; }
+    for (int i = 0; i < 4; i++) {
+        if (!set_face(h, i, corner[i][0], corner[i][1], corner[i][2])) return 0;
+        for (int j = 0; j < 3; j++) h->f[i].next[j] = across[i][j];
+    }
+    h->faces = 4;
+    return 1;
+}
+
+/* The hull grows from any four members with a volume, wherever the origin lies. Returns the number
+   of dimensions that B - A has; where fewer than three, `flat` is a normal of it. */
+static int first_points(Pair *pair, Hull *h, V *flat)
+{
+    double bound, thin = 1e-9 * pair->size;
+    V n = first_direction(pair), s, t;
+    h->points = 0;
+    h->p[h->points++] = lowest(pair, n, &bound);
+    tangents(n, 3, &s, &t);
+    V tried[6] = {mul(-1.0, n), s, mul(-1.0, s), t, mul(-1.0, t), n};
+    double farthest = 0.0;
+    for (int i = 0; i < 6; i++) {
+        Vertex v = lowest(pair, tried[i], &bound);
+        double away = length(sub(v.y, h->p[0].y));
+        if (away > farthest) { farthest = away; h->p[1] = v; }
+    }
+    *flat = n;
+    if (farthest <= thin) return 0;
+    V e = mul(1.0 / farthest, sub(h->p[1].y, h->p[0].y));
+    tangents(e, 3, &s, &t);
+    *flat = s;
+    double widest = thin;
+    int found = 0;
+    for (int i = 0; i < 8; i++) {
+        double angle = 0.7853981633974483 * i;
+        Vertex v = lowest(pair, plus(mul(cos(angle), s), sin(angle), t), &bound);
+        double away = length(cross(e, sub(v.y, h->p[0].y)));
+        if (away > widest) { widest = away; h->p[2] = v; found = 1; }
+    }
+    if (!found) return 1;
+    V m = unit_or(cross(e, sub(h->p[2].y, h->p[0].y)), s);
+    *flat = m;
+    Vertex up = lowest(pair, m, &bound), down = lowest(pair, mul(-1.0, m), &bound);
+    double below = fabs(dot(m, sub(up.y, h->p[0].y)));
+    double above = fabs(dot(m, sub(down.y, h->p[0].y)));
+    if (fmax(below, above) <= thin) return 2;
+    h->p[3] = below > above ? up : down;
+    h->points = 4;
+    return 3;
+}
+
+/* Faces that the point sees, from `seed` outwards, and the loop of edges about them. */
+static int horizon(Hull *h, int seed, V y, double thin, int *n_seen)
+{
+    int n_edges = 0, *seen = h->seen, (*edge)[3] = h->edge;
+    *n_seen = 0;
+    seen[(*n_seen)++] = seed;
+    h->f[seed].alive = 0;
+    for (int i = 0; i < *n_seen; i++) {
+        Face *f = &h->f[seen[i]];
+        for (int k = 0; k < 3; k++) {
+            int g = f->next[k];
+            if (!h->f[g].alive) continue;
+            if (dot(h->f[g].m, y) > h->f[g].d + thin) {
+                h->f[g].alive = 0;
+                seen[(*n_seen)++] = g;
+            }
+        }
+    }
+    for (int i = 0; i < *n_seen; i++) {
+        Face *f = &h->f[seen[i]];
+        for (int k = 0; k < 3; k++) {
+            int g = f->next[k];
+            if (!h->f[g].alive) continue;
+            edge[n_edges][0] = f->v[k];
+            edge[n_edges][1] = f->v[(k + 1) % 3];
+            edge[n_edges++][2] = g;
+        }
+    }
+    return n_edges;
+}
+
+static void link_across(Hull *h, int f, int a, int b, int g)
+{
+    for (int k = 0; k < 3; k++)
+        if (h->f[f].v[k] == a && h->f[f].v[(k + 1) % 3] == b) h->f[f].next[k] = g;
+}
+
+/* Adds the last point, which sees the face `seed`; 0 where rounding leaves no sound hull. */
+static int grow(Hull *h, int seed, double thin)
+{
+    int n_seen, p = h->points - 1, *seen = h->seen, (*edge)[3] = h->edge, *made = h->made;
+    int n_edges = horizon(h, seed, h->p[p].y, thin, &n_seen);
+    if (n_edges < 3) return 0;
+    for (int i = 0; i < n_edges; i++) {
+        int f = i < n_seen ? seen[i] : h->faces++;
+        if (f >= MOST_FACES) return 0;
+        made[i] = f;
+    }
+    for (int i = 0; i < n_edges; i++) {
+        if (!set_face(h, made[i], edge[i][0], edge[i][1], p)) return 0;
+        h->f[made[i]].next[0] = edge[i][2];
+        h->f[made[i]].next[1] = h->f[made[i]].next[2] = -1;
+        link_across(h, edge[i][2], edge[i][1], edge[i][0], made[i]);
+    }
+    for (int i = 0; i < n_edges; i++)
+        for (int j = 0; j < n_edges; j++)
+            if (edge[j][0] == edge[i][1]) {
+                h->f[made[i]].next[1] = made[j];
+                h->f[made[j]].next[2] = made[i];
+            }
+    for (int i = 0; i < n_edges; i++)
+        if (h->f[made[i]].next[1] < 0 || h->f[made[i]].next[2] < 0) return 0;
+    return 1;
+}
+
+static int lowest_face(const Hull *h)
+{
+    int best = -1;
+    for (int i = 0; i < h->faces; i++)
+        if (h->f[i].alive && (best < 0 || h->f[i].d < h->f[best].d)) best = i;
+    return best;
+}
+
+/* From a normal whose bound is known; ends where no other normal can be better by more than the
+   tolerance, or where points run out: `upper` says how much is left open. */
+static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
+{
+    double bound;
+    V flat;
+    if (first_points(pair, h, &flat) < 3) {
+        lowest(pair, flat, &bound);
+        return bound > found.lower ? (Depth){bound, fmax(bound, 0.0), flat} : found;
+    }
+    if (!first_hull(h)) return found;
+    for (;;) {
+        int f = lowest_face(h);
+        if (f < 0) break;
+        double d = h->f[f].d;
+        V n = mul(-1.0, h->f[f].m);
+        if (d >= 0.0) found.upper = fmin(found.upper, -d);
+        if (found.lower >= -d - tolerance) break;
+        Vertex v = lowest(pair, n, &bound);
+        if (bound > found.lower) { found.lower = bound; found.normal = n; }
+        if (dot(h->f[f].m, v.y) - d <= tolerance || h->points == MOST_POINTS) break;
+        h->p[h->points++] = v;
+        if (!grow(h, f, 1e-14 * pair->size)) break;
+    }
+    return found;
+}
+#endif

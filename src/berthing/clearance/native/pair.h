@@ -1,0 +1,163 @@
+/* The signed distance of one pair at one pose. */
+#ifndef PAIR_H
+#define PAIR_H
+#include "expanding_plane.h"
+#include "newton.h"
+
+/* What one pose leaves for the next one of a path. */
+typedef struct {
+    Pair pair;
+    Simplex simplex;
+    Closest closest;
+    Hull *hull;
+    double tolerance, depth_tolerance;
+    int smooth;
+} Path;
+
+/* Gap, in terms of the size, to which sets that overlap or nearly touch are parted. */
+static const double PARTED = 0.05, TOUCHING = 1e-3;
+enum { MOST_STEPS = 300, MOST_PARTINGS = 300 };
+
+/* The direction that a slowing row of steps points to: each is q times the one before. */
+static V extrapolated(V n, V step, V before)
+{
+    double q = dot(step, before) / dot(before, before);
+    if (!(q > 0.0) || !isfinite(q)) return n;
+    q = fmin(q, 0.995);
+    return unit_or(plus(n, q / (1.0 - q), step), n);
+}
+
+/* The best normal near a given one. Parted along a normal n by s = |s| n, the sets have the
+   distance bound(m) + m·s, m being the normal there: the largest such sum, so that bound(m) >=
+   bound(n) + (n - m)·s >= bound(n). Repeated, this climbs to a normal that is its own; every third
+   step goes on to where the last two point, if that is no worse. */
+static Answer settle(Path *path, Answer start)
+{
+    Pair *pair = &path->pair;
+    V r = pair->r, n = start.normal, step = vec(0, 0, 0);
+    Answer best = start;
+    double bound, rounding = 1e-15 * pair->size, least = INFINITY;
+    lowest(pair, n, &bound);
+    best.lower = bound;
+    for (int i = 0, idle = 0; i < MOST_PARTINGS && idle < 3; i++) {
+        pair->r = plus(r, PARTED * pair->size - bound, n);
+        Answer parted = gjk(pair, &path->simplex, rounding, MOST_STEPS);
+        pair->r = r;
+        if (parted.overlap) { path->simplex.n = 0; break; }
+        V before = step;
+        double old = bound;
+        step = sub(parted.normal, n);
+        n = parted.normal;
+        lowest(pair, n, &bound);
+        idle = bound - old <= rounding ? idle + 1 : 0;
+        /* Of normals equally good, the one that changed least has witnesses that fit it best. */
+        double moved = length(step);
+        double same = 1e3 * rounding;
+        if (bound > best.lower + same || (bound >= best.lower - same && moved <= least)) {
+            least = moved;
+            best.lower = fmax(bound, best.lower);
+            best.normal = n;
+            best.a = parted.a;
+            best.b = parted.b;
+        }
+        if (moved <= 1e-11) break;
+        if (i % 3 == 2) {
+            V ahead = extrapolated(n, step, before);
+            lowest(pair, ahead, &old);
+            if (old >= bound - rounding) { n = ahead; bound = old; step = vec(0, 0, 0); }
+        }
+    }
+    best.upper = length(difference(pair, best.a, best.b));
+    return best;
+}
+
+static int half_space(const Pair *pair, Answer *answer)
+{
+    const Shape *wall = pair->a.kind == HALF_SPACE ? &pair->a : &pair->b;
+    const Shape *other = wall == &pair->a ? &pair->b : &pair->a;
+    Memory memory = {{0, 0, 0}, 0};
+    if (wall->kind != HALF_SPACE) return 0;
+    V own = three(wall->data);
+    V n = wall == &pair->a ? own : mul(-1.0, turn(&pair->R, own));
+    V towards = wall == &pair->a ? mul(-1.0, unturn(&pair->R, n)) : n;
+    Support s = support(other, towards, &memory);
+    V deepest = s.point, world = wall == &pair->a ? add(pair->r, turn(&pair->R, deepest)) : deepest;
+    V in_wall = wall == &pair->a ? world : unturn(&pair->R, sub(world, pair->r));
+    double gap = dot(own, in_wall) - wall->data[3];
+    V on_wall = plus(in_wall, -gap, own);
+    *answer = (Answer){gap - s.slack, gap, n, wall == &pair->a ? on_wall : deepest,
+                       wall == &pair->a ? deepest : on_wall, gap < 0.0};
+    return 1;
+}
+
+/* Sets that overlap, or so nearly that the vector between them has no clear direction. */
+static Answer overlapping(Path *path, Answer known)
+{
+    Pair *pair = &path->pair;
+    Depth depth = {known.lower, isfinite(known.upper) ? known.upper : 0.0, known.normal};
+    if (pair->dim == 2) depth = expand_plane(pair, path->hull, depth, path->depth_tolerance);
+    else depth = expand(pair, path->hull, depth, path->depth_tolerance);
+    Answer best = known;
+    if (depth.lower > known.lower || !isfinite(known.lower)) {
+        best.normal = length(depth.normal) > 0.0 ? depth.normal : first_direction(pair);
+        best.lower = depth.lower;
+        if (path->smooth) {
+            double bound;
+            Vertex v = lowest(pair, best.normal, &bound);
+            Closest at = {v.a, v.b, 1};
+            Answer polished;
+            if (newton(pair, &at, &polished) && polished.lower >= depth.lower - path->depth_tolerance) {
+                path->closest = at;
+                polished.upper = fmax(depth.upper, polished.lower);
+                polished.overlap = 1;
+                return polished;
+            }
+        }
+        best = settle(path, best);
+    }
+    best.upper = fmax(depth.upper, best.lower);
+    best.overlap = 1;
+    return best;
+}
+
+/* From the last solution along the path, or from where a rough search by support points ends. */
+static int by_newton(Path *path, Answer *answer)
+{
+    Pair *pair = &path->pair;
+    if (path->closest.known && newton(pair, &path->closest, answer))
+        if (answer->overlap || answer->upper - answer->lower <= path->tolerance) return 1;
+    path->closest.known = 0;
+    Answer rough = gjk(pair, &path->simplex, 1e-3 * pair->size, MOST_STEPS);
+    if (rough.overlap) return 0;
+    double bound;
+    Vertex v = lowest(pair, rough.normal, &bound);
+    Closest at = {v.a, v.b, 1};
+    if (!newton(pair, &at, answer) || answer->overlap) return 0;
+    if (answer->upper - answer->lower > path->tolerance) return 0;
+    path->closest = at;
+    return 1;
+}
+
+static Answer solve(Path *path)
+{
+    Pair *pair = &path->pair;
+    Answer answer;
+    if (half_space(pair, &answer)) return answer;
+    if (path->smooth && by_newton(path, &answer))
+        return answer.overlap ? overlapping(path, answer) : answer;
+    answer = gjk(pair, &path->simplex, 1e-15 * pair->size, MOST_STEPS);
+    if (answer.overlap) {
+        path->simplex.n = 0;
+        answer.lower = -INFINITY;
+        answer.upper = 0.0;
+        return overlapping(path, answer);
+    }
+    if (answer.upper <= TOUCHING * pair->size || answer.upper - answer.lower > path->tolerance) {
+        Answer settled = settle(path, answer);
+        settled.upper = fmin(settled.upper, answer.upper);
+        if (settled.lower >= answer.lower) answer = settled;
+    }
+    if (answer.upper - answer.lower > path->tolerance) return overlapping(path, answer);
+    return answer;
+}
+#endif

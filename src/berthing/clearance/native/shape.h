@@ -1,0 +1,117 @@
+/* Convex sets as numbers, and the support points of those with closed formulas.
+
+   A set is a core and a pad: all within the distance `pad` of the core. The numbers are
+   kind, pad, size, then those named beside the kind. `size` is a length that no two points of the
+   core are farther apart than. */
+#ifndef SHAPE_H
+#define SHAPE_H
+#include "vec.h"
+
+enum {
+    POINT,
+    SEGMENT,        /* axis, half length */
+    BOX,            /* half extents */
+    ELLIPSOID,      /* semi axes */
+    CYLINDER,       /* axis, radius, half length */
+    FRUSTUM,        /* axis, radius at the lower end, at the upper end, half length */
+    POLYTOPE,       /* count, vertices */
+    SUPERELLIPSOID, /* reaches, exponents */
+    LOG_SUM_EXP,    /* count, centre, rows Q a, offsets Q b */
+    HALF_SPACE      /* outward unit normal, offset */
+};
+
+typedef struct {
+    int kind, dim;
+    double pad, size;
+    const double *data;
+} Shape;
+
+/* The last support point of a set, where the next search begins. */
+typedef struct { V point; int known; } Memory;
+
+/* h(n) <= n·point + slack for the core; the slack is 0 where a closed formula is used. */
+typedef struct { V point; double slack; } Support;
+
+static inline Shape shape_from(const double *numbers, int dim)
+{
+    Shape s = {(int)numbers[0], dim, numbers[1], numbers[2], numbers + 3};
+    return s;
+}
+
+static inline V three(const double *d) { return vec(d[0], d[1], d[2]); }
+static inline double signed_by(double size, double n) { return n < 0.0 ? -size : size; }
+
+static inline V across_axis(V n, int axis)
+{
+    put(&n, axis, 0.0);
+    return unit_or(n, vec(0.0, 0.0, 0.0));
+}
+
+static inline V ellipsoid_point(const double *a, V n)
+{
+    V scaled = vec(a[0] * n.x, a[1] * n.y, a[2] * n.z);
+    V u = unit_or(scaled, vec(0.0, 0.0, 0.0));
+    return vec(a[0] * u.x, a[1] * u.y, a[2] * u.z);
+}
+
+static inline V frustum_point(const double *d, V n)
+{
+    int axis = (int)d[0];
+    double along = at(n, axis), lower = d[1], upper = d[2], half = d[3];
+    V flat = n;
+    put(&flat, axis, 0.0);
+    int up = half * along + 0.5 * (upper - lower) * length(flat) > 0.0;
+    V p = mul(up ? upper : lower, unit_or(flat, vec(0.0, 0.0, 0.0)));
+    put(&p, axis, up ? half : -half);
+    return p;
+}
+
+static inline V polytope_point(const double *d, V n)
+{
+    int count = (int)d[0], best = 0;
+    double most = -INFINITY;
+    for (int i = 0; i < count; i++) {
+        double value = dot(n, three(d + 1 + 3 * i));
+        if (value > most) { most = value; best = i; }
+    }
+    return three(d + 1 + 3 * best);
+}
+
+/* By the multiplier of max n·x: each term (x_i/r_i)^P_i is (k_i/m)^q_i with k_i = |n_i| r_i/P_i and
+   q_i = P_i/(P_i - 1). Newton's method for ln m from below, on a convex falling function; exact at
+   once where all exponents are the same. */
+static inline V superellipsoid_point(const double *d, V n)
+{
+    const double *r = d, *P = d + 3;
+    double logs[3], s = 0.0, largest = 0.0, terms[3] = {0.0, 0.0, 0.0};
+    for (int i = 0; i < 3; i++) {
+        logs[i] = fabs(at(n, i)) * r[i] / P[i];
+        largest = fmax(largest, logs[i]);
+    }
+    if (largest <= 0.0) return vec(0.0, 0.0, 0.0);
+    for (int i = 0; i < 3; i++) logs[i] = log(logs[i] / largest); /* -inf is welcome */
+    for (int step = 0; step < 40; step++) {
+        double total = 0.0, slope = 0.0;
+        for (int i = 0; i < 3; i++) {
+            double q = P[i] / (P[i] - 1.0);
+            terms[i] = exp(q * (logs[i] - s));
+            total += terms[i];
+            slope += q * terms[i];
+        }
+        double more = log(total) * total / slope;
+        s += more;
+        if (more <= 1e-9 * (1.0 + fabs(s))) break; /* quadratic: the next step is below rounding */
+    }
+    V p;
+    double total = 0.0;
+    for (int i = 0; i < 3; i++) {
+        terms[i] = exp(P[i] / (P[i] - 1.0) * (logs[i] - s));
+        total += terms[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        double x = P[i] == 2.0 ? sqrt(terms[i] / total) : pow(terms[i] / total, 1.0 / P[i]);
+        put(&p, i, copysign(r[i] * x, at(n, i)));
+    }
+    return p;
+}
+#endif

@@ -1,0 +1,130 @@
+"""Convex sets as the numbers that the compiled distance takes; ``native/shape.h`` lists them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import lru_cache
+from math import log
+from typing import Any
+
+import numpy as np
+
+from berthing.geometry.arrays import Array
+from berthing.geometry.box import Box
+from berthing.geometry.capsule import Capsule
+from berthing.geometry.cone import Cone
+from berthing.geometry.convex_set import ConvexSet, norm
+from berthing.geometry.cylinder import Cylinder
+from berthing.geometry.ellipsoid import Ellipsoid
+from berthing.geometry.frustum import Frustum
+from berthing.geometry.half_space import HalfSpace
+from berthing.geometry.offset import Offset
+from berthing.geometry.polytope import Polytope
+from berthing.geometry.revolution import AXES
+from berthing.geometry.smoothed_polytope import SmoothedPolytope
+from berthing.geometry.sphere import Sphere
+from berthing.geometry.superellipsoid import Superellipsoid
+from berthing.geometry.truncated_cone import TruncatedCone
+
+# As in native/shape.h.
+POINT, SEGMENT, BOX, ELLIPSOID, CYLINDER, FRUSTUM, POLYTOPE = map(float, range(7))
+SUPERELLIPSOID, LOG_SUM_EXP, HALF_SPACE = 7.0, 8.0, 9.0
+# Rows beyond this many are not approached by way of rounder sets: see native/support.h.
+MOST_ROWS = 256
+
+Core = tuple[float, float, list[float]]
+
+
+@lru_cache(maxsize=4096)
+def set_numbers(shape: ConvexSet) -> Array | None:
+    """Kind, pad, size and sizes of the core as one array; None for a set that is not known."""
+    pad, core = 0.0, shape
+    while isinstance(core, Offset):
+        pad, core = pad + core.radius, core.base
+    if isinstance(core, Sphere | Capsule):
+        pad += core.radius
+    build = _BUILDERS.get(type(core))
+    if build is None:
+        return None
+    kind, size, numbers = build(core)
+    return np.array([kind, pad, size, *numbers], dtype=np.float64)
+
+
+def _point(shape: Sphere) -> Core:
+    return POINT, 0.0, []
+
+
+def _segment(shape: Capsule) -> Core:
+    return SEGMENT, 2.0 * shape.half_length, [AXES.index(shape.axis), shape.half_length]
+
+
+def _box(shape: Box) -> Core:
+    return BOX, 2.0 * shape.bounding_radius, _solid(shape.half_extents)
+
+
+def _ellipsoid(shape: Ellipsoid) -> Core:
+    return ELLIPSOID, 2.0 * shape.bounding_radius, _solid(shape.semi_axes)
+
+
+def _cylinder(shape: Cylinder) -> Core:
+    sizes = [float(shape.axis_index), shape.radius, shape.half_length]
+    return CYLINDER, 2.0 * shape.bounding_radius, sizes
+
+
+def _cone(shape: Cone | TruncatedCone) -> Core:
+    f: Frustum = shape.frustum
+    return FRUSTUM, 2.0 * f.bounding_radius, [float(f.axis), f.first, f.second, f.half_length]
+
+
+def _polytope(shape: Polytope) -> Core:
+    corners = _in_space(shape.corners)
+    return POLYTOPE, _width(corners), [float(len(corners)), *corners.ravel()]
+
+
+def _superellipsoid(shape: Superellipsoid) -> Core:
+    exponents = np.full(3, 2.0)
+    exponents[: shape.dim] = shape.exponents
+    return SUPERELLIPSOID, 2.0 * shape.bounding_radius, [*_solid(shape.reaches), *exponents]
+
+
+def _log_sum_exp(shape: SmoothedPolytope) -> Core:
+    natural = log(shape.base) * shape.exponents
+    rows, centre = _in_space(natural[:, None] * shape.A), _in_space(shape.centre[None])[0]
+    numbers = [float(len(rows)), *centre, *rows.ravel(), *(natural * shape.b)]
+    return LOG_SUM_EXP, shape.hill.size, numbers
+
+
+def _half_space(shape: HalfSpace) -> Core:
+    return HALF_SPACE, 0.0, [*_in_space(shape.normal[None])[0], shape.offset]
+
+
+def _solid(sizes: Array) -> list[float]:
+    """Three sizes, the third 0 in the plane."""
+    return [float(size) for size in np.append(sizes, 0.0)[:3]]
+
+
+def _in_space(points: Array) -> Array:
+    """Points (k, 3), in z = 0 where they were planar."""
+    solid = np.zeros((len(points), 3))
+    solid[:, : points.shape[1]] = points
+    return solid
+
+
+def _width(corners: Array) -> float:
+    """No two corners are farther apart."""
+    return 2.0 * float(np.max(norm(corners - np.mean(corners, axis=0))))
+
+
+_BUILDERS: Mapping[type[ConvexSet], Callable[[Any], Core]] = {
+    Sphere: _point,
+    Capsule: _segment,
+    Box: _box,
+    Ellipsoid: _ellipsoid,
+    Cylinder: _cylinder,
+    Cone: _cone,
+    TruncatedCone: _cone,
+    Polytope: _polytope,
+    Superellipsoid: _superellipsoid,
+    SmoothedPolytope: _log_sum_exp,
+    HalfSpace: _half_space,
+}
