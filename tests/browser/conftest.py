@@ -38,19 +38,19 @@ def handmade(tmp_path_factory):
     """Pages of plans made by hand: quick, and of kinds that no case that ships has."""
     home = tmp_path_factory.mktemp("pages")
 
-    def page(name, *scenarios, certified=True):
+    def page(name, *scenarios, certified=True, claims=synthetic.claims):
         path = home / f"{name}.html"
-        path.write_text(shown_page([shown(of, certified) for of in scenarios]))
+        path.write_text(shown_page([shown(of, certified, claims) for of in scenarios]))
         return path
 
     return page
 
 
-def shown(of, certified=True):
+def shown(of, certified=True, claims=synthetic.claims):
     plan, verification = synthetic.plan(of), synthetic.verification(of, certified)
     outcome = "certified" if certified else "not_certified"
     document = plan_document(of, plan, verification, outcome)
-    return Shown(of.name, of, plan, verification, synthetic.claims(of), document)
+    return Shown(of.name, of, plan, verification, claims(of), document)
 
 
 @pytest.fixture

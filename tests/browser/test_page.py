@@ -6,6 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from berthing.geometry.body import Body, Part
+from berthing.geometry.pose import Pose
+from berthing.geometry.sphere import Sphere
+from berthing.scenario.motion import Fixed
+from berthing.scenario.structure import Structure
+from berthing.verify.claims import Claims
 from support import synthetic
 from support.page_reading import cursors, is_drawn, pixels, positions, seek, time_of
 
@@ -268,6 +274,25 @@ def test_of_nothing_around_the_page_says_so(opened, handmade):
     assert "Nothing to keep clear of." in text(page, "#plot-clearance")
     assert is_drawn(pixels(page, "#canvas"))
     assert page.troubles == []
+
+
+def test_a_hundred_thousand_triangles_are_drawn_as_fewer_and_the_page_says_so(opened, handmade):
+    turns = 2.0 * np.pi * np.arange(80) / 80.0
+    ring = [Pose(np.array([5.0 + np.cos(a), np.sin(a), -2.0]), np.eye(3)) for a in turns]
+    parts = tuple(Part(f"bead{i}", Sphere(0.3), pose) for i, pose in enumerate(ring))
+    beads = Structure("ring", Body(parts), Fixed(Pose.identity(3)))
+    of = synthetic.scenario(structures=(beads,))
+    path = handmade("ring", of, claims=lambda _: Claims("", ()))
+    page = opened(path)
+    assert path.stat().st_size < 2_000_000
+    assert "fewer triangles than the shapes have" in text(page, "#coarse")
+    assert page.run("document.getElementById('coarse').hidden") is False
+    assert is_drawn(pixels(page, "#canvas"))
+    assert page.troubles == []
+
+
+def test_shapes_drawn_as_they_are_need_no_word_about_it(opened, path):
+    assert opened(path).run("document.getElementById('coarse').hidden") is True
 
 
 def test_what_is_wrong_comes_first(opened, handmade):

@@ -2,6 +2,7 @@
 import {
   type Box3,
   DoubleSide,
+  FrontSide,
   Group,
   InstancedMesh,
   LineBasicMaterial,
@@ -43,7 +44,7 @@ function drawnBody(shape: Shape, color: string, edge: string): Group {
   // Edges of a body lie in its faces: push the faces back a little.
   const faces = new MeshLambertMaterial({
     color,
-    side: DoubleSide,
+    side: shape.closed ? FrontSide : DoubleSide,
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,

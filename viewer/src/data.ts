@@ -11,6 +11,8 @@ export interface BodyData {
   v: Ref;
   i: Ref;
   e: Ref;
+  /** Metres by which it is drawn too small, at most. */
+  off: number;
 }
 
 export interface MotionData {

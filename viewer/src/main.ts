@@ -3,6 +3,7 @@ import { WebGLRenderer } from "three";
 import { Clock } from "./clock";
 import { Arrays, column, readPage } from "./data";
 import { checkbox, element, fillLegend, option } from "./elements";
+import { short } from "./format";
 import { panels, planColors, sources, type Source } from "./panels";
 import { Player } from "./player";
 import { Plots } from "./plots";
@@ -97,6 +98,15 @@ function buildLegend(): void {
   });
 }
 
+/** Says so where shapes are drawn with fewer triangles than they have. */
+function tellCoarse(): void {
+  const bodies = data.plans.flatMap((p) => [...p.tracks, ...p.structures].map((one) => one.body));
+  const off = Math.max(0, ...bodies.map((body) => body.off));
+  const note = element("coarse");
+  note.hidden = off === 0;
+  note.textContent = `Drawn with fewer triangles than the shapes have, up to ${short(off, 2)} m inside them; clearance is that of the shapes themselves.`;
+}
+
 function nextCamera(): void {
   cameras.selectedIndex = (cameras.selectedIndex + 1) % cameras.options.length;
   cameras.dispatchEvent(new Event("change"));
@@ -139,6 +149,7 @@ function buildControls(): void {
 buildControls();
 buildScene();
 buildLegend();
+tellCoarse();
 new Readout(data, all, arrays, clock);
 new Player(
   clock,

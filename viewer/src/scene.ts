@@ -18,6 +18,7 @@ import { ClosestActor } from "./closest";
 import { type Arrays, type PageData } from "./data";
 import { fixed } from "./format";
 import { ground, sizeLabels } from "./ground";
+import { Pace } from "./pace";
 import { vehicleName } from "./panels";
 import { Shapes } from "./shape";
 import type { Theme } from "./theme";
@@ -46,6 +47,10 @@ export class SceneView {
   private disposed = false;
   private readonly canvas: HTMLCanvasElement;
   private layers: Layers;
+  private readonly pace = new Pace(() => {
+    this.sharpen();
+    this.ask();
+  });
 
   constructor(
     private readonly renderer: WebGLRenderer,
@@ -133,7 +138,7 @@ export class SceneView {
 
   resize(width: number, height: number): void {
     if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.sharpen();
     this.renderer.setSize(width, height, false);
     this.view.resize(width, height);
     this.ask();
@@ -152,6 +157,7 @@ export class SceneView {
   /** Frees what this scene holds; the renderer serves the next one. */
   dispose(): void {
     this.view.controls.dispose();
+    this.pace.stop();
     this.disposed = true;
     this.scene.traverse((object) => {
       const { geometry, material } = object as Partial<Mesh>;
@@ -160,7 +166,12 @@ export class SceneView {
     });
   }
 
+  private sharpen(): void {
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * this.pace.scale);
+  }
+
   private draw(): void {
+    if (this.pace.picture(performance.now())) this.sharpen();
     this.lamp.position.copy(this.view.camera.position);
     this.lamp.target.position.copy(this.view.controls.target);
     this.lamp.target.updateMatrixWorld();
@@ -190,7 +201,7 @@ export class SceneView {
 
   /** How many places of the way a structure hides from a viewer in this direction. */
   private hidden(towards: Vector3): number {
-    const triangles = this.structures.reduce((sum, s) => sum + s.faces.geometry.attributes.position.count / 3, 0);
+    const triangles = this.structures.reduce((sum, s) => sum + (s.faces.geometry.index?.count ?? 0) / 3, 0);
     if (triangles > RAYCAST_TRIANGLES) return 0;
     const caster = new Raycaster();
     const seen = this.vehicles.flatMap((v) => v.places()).filter((place) => {

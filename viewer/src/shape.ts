@@ -1,14 +1,18 @@
-// A mesh ready to be drawn: corners of their own, normals smooth but across creases.
+// A mesh ready to be drawn: normals smooth but across creases, where corners are doubled.
 import { BufferAttribute, BufferGeometry } from "three";
 import type { Arrays, BodyData } from "./data";
 
 // Faces that bend by more than this at an edge are not smoothed over it.
 const CREASE_COSINE = Math.cos((25 * Math.PI) / 180);
+// Normals that differ by less than this look alike.
+const SAME_NORMAL = 1e-4;
 
 export interface Shape {
   faces: BufferGeometry;
   edges: BufferGeometry;
   triangles: number;
+  /** Whether it has an inside, so that its back is never seen. */
+  closed: boolean;
 }
 
 /** Builds each body once, however many places draw it. */
@@ -31,12 +35,13 @@ export class Shapes {
     const points = this.arrays.table(body.v).values;
     const corners = this.arrays.table(body.i).values;
     const faces = new BufferGeometry();
-    const { positions, normals } = smoothed(points, corners);
+    const { positions, normals, index } = smoothed(points, corners);
     faces.setAttribute("position", new BufferAttribute(positions, 3));
     faces.setAttribute("normal", new BufferAttribute(normals, 3));
+    faces.setIndex(new BufferAttribute(index, 1));
     const edges = new BufferGeometry();
     edges.setAttribute("position", new BufferAttribute(gathered(points, this.arrays.table(body.e).values), 3));
-    return { faces, edges, triangles: corners.length / 3 };
+    return { faces, edges, triangles: corners.length / 3, closed: !isFlat(points) };
   }
 }
 
@@ -50,25 +55,53 @@ function gathered(points: Numbers, indices: Numbers): Float32Array {
   return out;
 }
 
-/** Corners (3 m) with normals: the mean, by area, of the faces around that are nearly as level. */
-function smoothed(points: Numbers, corners: Numbers): { positions: Float32Array; normals: Float32Array } {
-  const positions = gathered(points, corners);
-  const area = faceNormals(positions);
+/** Of shapes in the plane every point is at the same height. */
+function isFlat(points: Numbers): boolean {
+  for (let i = 5; i < points.length; i += 3) if (points[i] !== points[2]) return false;
+  return true;
+}
+
+interface Indexed {
+  positions: Float32Array;
+  normals: Float32Array;
+  index: Uint32Array;
+}
+
+/** Corners with normals: the mean, by area, of the faces around that are nearly as level. */
+function smoothed(points: Numbers, corners: Numbers): Indexed {
+  const area = faceNormals(gathered(points, corners));
   const [starts, faces] = around(points.length / 3, corners);
-  const normals = new Float32Array(positions.length);
+  const [positions, normals]: [number[], number[]] = [[], []];
+  const index = new Uint32Array(corners.length);
+  // Corners at a point have few normals: each is kept once.
+  const own: number[][] = Array.from({ length: points.length / 3 }, () => []);
   for (let corner = 0; corner < corners.length; corner++) {
-    const own = 3 * Math.floor(corner / 3);
-    const sum = [0, 0, 0];
-    for (let j = starts[corners[corner]]; j < starts[corners[corner] + 1]; j++) {
-      const other = 3 * faces[j];
-      if (cosine(area, own, other) >= CREASE_COSINE) {
-        for (let k = 0; k < 3; k++) sum[k] += area[other + k];
+    const point = corners[corner];
+    const n = normalAt(area, 3 * Math.floor(corner / 3), faces.subarray(starts[point], starts[point + 1]));
+    let found = own[point].find((i) => n.every((value, k) => Math.abs(value - normals[3 * i + k]) < SAME_NORMAL));
+    if (found === undefined) {
+      found = positions.length / 3;
+      own[point].push(found);
+      for (let k = 0; k < 3; k++) {
+        positions.push(points[3 * point + k]);
+        normals.push(n[k]);
       }
     }
-    const length = Math.hypot(sum[0], sum[1], sum[2]) || 1;
-    for (let k = 0; k < 3; k++) normals[3 * corner + k] = sum[k] / length;
+    index[corner] = found;
   }
-  return { positions, normals };
+  return { positions: new Float32Array(positions), normals: new Float32Array(normals), index };
+}
+
+function normalAt(area: Float64Array, face: number, around: Uint32Array): number[] {
+  const sum = [0, 0, 0];
+  for (const neighbour of around) {
+    const other = 3 * neighbour;
+    if (cosine(area, face, other) >= CREASE_COSINE) {
+      for (let k = 0; k < 3; k++) sum[k] += area[other + k];
+    }
+  }
+  const length = Math.hypot(sum[0], sum[1], sum[2]) || 1;
+  return sum.map((value) => value / length);
 }
 
 function faceNormals(positions: Float32Array): Float64Array {
