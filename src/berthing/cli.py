@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from berthing._version import __version__
+from berthing.commands import completion
 from berthing.commands.guard import guarded
 from berthing.export.formats import NAMES
 
@@ -37,12 +38,24 @@ def berthing(
         ),
     ] = False,
 ) -> None:
-    """Plan collision-free, optimal motion for rigid bodies in tight spaces, with a proof."""
+    """Plan collision-free, optimal motion for rigid bodies in tight spaces, with a proof.
+
+    **Examples**
+
+    - `berthing plan scenario-a`
+    - `berthing view plans/scenario-a`
+    - `berthing --install-completion`
+    """
 
 
 @app.command("plan")
 def plan_command(
-    scenario: Annotated[str, typer.Argument(help="A case that ships, or a YAML or JSON file.")],
+    scenario: Annotated[
+        str,
+        typer.Argument(
+            help="A case that ships, or a YAML or JSON file.", autocompletion=completion.scenarios
+        ),
+    ],
     formulation: Annotated[
         str | None, typer.Option(help="How separation is written, e.g. plane.")
     ] = None,
@@ -143,7 +156,10 @@ def verify_command(
 def export_command(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="A plan folder.")],
     to: Annotated[
-        str | None, typer.Option("--to", metavar="FORMAT", help=f"One of: {NAMES}.")
+        str | None,
+        typer.Option(
+            "--to", metavar="FORMAT", help=f"One of: {NAMES}.", autocompletion=completion.formats
+        ),
     ] = None,
     out: Annotated[
         Path | None,
@@ -319,6 +335,28 @@ def schema_command() -> None:
         from berthing.commands.listing import print_schema
 
         return print_schema()
+
+    raise typer.Exit(guarded(work))
+
+
+@app.command("doctor")
+def doctor_command(as_json: AsJson = False) -> None:
+    """Print versions, and solve the case whose cost is known in closed form, with its error.
+
+    From rest to rest with nothing in the way the least cost is 12 m² d²/T³.
+
+    **Exit code:** 0 all is well · 4 the answer is off, or not certified
+
+    **Examples**
+
+    - `berthing doctor`
+    - `berthing doctor --json | jq .closed_form.relative_error`
+    """
+
+    def work() -> int:
+        from berthing.commands.doctoring import run
+
+        return run(as_json=as_json)
 
     raise typer.Exit(guarded(work))
 

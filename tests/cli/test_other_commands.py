@@ -4,6 +4,7 @@ import sys
 
 import pytest
 
+from berthing import cli
 from berthing._version import __version__
 from berthing.commands.console import progress_line
 from berthing.errors import InputError
@@ -65,11 +66,12 @@ def test_version(run):
     assert (done.exit_code, done.stdout) == (0, f"berthing {__version__}\n")
 
 
-@pytest.mark.parametrize("command", ["plan", "verify", "view", "scenarios", "schema"])
-def test_help_has_examples(run, command):
-    done = run(command, "--help")
+@pytest.mark.parametrize("command", [None, *(c.name for c in cli.app.registered_commands)])
+def test_help_has_examples_that_are_commands(run, command):
+    done = run(*([command] if command else []), "--help")
     assert done.exit_code == 0
-    assert "Examples" in done.stdout
+    examples = done.stdout.split("Examples")[1].split("╭")[0]
+    assert f"berthing {command or ''}".strip() in examples
 
 
 def test_an_unknown_command_exits_2(run):
