@@ -1,5 +1,6 @@
 import json
 
+import numpy as np
 import pytest
 
 from berthing.mesh import cache
@@ -126,12 +127,39 @@ def test_bad_input_exits_2_with_one_line_and_nothing_written(run, files, case):
     assert sorted(files.rglob("*")) == before
 
 
-def test_a_mesh_with_a_hole_exits_2_with_advice(run, files):
-    solids.write_obj(files / "open.obj", solids.l_bracket()[1:])
-    done = run("decompose", "open.obj", "--units", "m")
+L = solids.l_bracket()
+NO_SOLIDS = {
+    "hole": (L[1:], "watertight"),
+    "turned over": (np.concatenate([L[:1, ::-1], L[1:]]), "turned over"),
+    "inside out": (L[:, ::-1], "inside out"),
+    "flat": (L * [1, 1, 0], "encloses no volume"),
+    "crossing": (np.concatenate([L, solids.moved(L, 0.2, 0.03, 0.1)]), "crosses itself"),
+    "no triangles": (L[:0], "no triangles"),
+}
+
+
+@pytest.mark.parametrize("case", NO_SOLIDS)
+def test_what_is_no_solid_exits_2_with_one_line_and_nothing_written(run, files, case):
+    corners, says = NO_SOLIDS[case]
+    solids.write_stl(files / "bad.stl", corners)
+    before = sorted(files.rglob("*"))
+    done = run("decompose", "bad.stl", "--units", "m")
     assert done.exit_code == 2
-    assert "watertight" in done.stderr
-    assert not (files / "pieces").exists()
+    assert says in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert sorted(files.rglob("*")) == before
+
+
+@pytest.mark.slow
+def test_a_million_triangles_exit_2_and_say_how_to_have_fewer(run, files):
+    solids.write_stl(files / "fine.stl", solids.torus(1000, 501))
+    before = sorted(files.rglob("*"))
+    done = run("decompose", "fine.stl", "--units", "m")
+    assert done.exit_code == 2
+    assert "1,002,000 triangles" in done.stderr
+    assert "Decimat" in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert sorted(files.rglob("*")) == before
 
 
 def test_a_robot_whose_mesh_is_missing_exits_2(run, files):

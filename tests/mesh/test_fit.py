@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from berthing.geometry import quaternion
 from berthing.geometry.box import Box
+from berthing.geometry.cylinder import Cylinder
 from berthing.mesh.box_fit import box_around
 from berthing.mesh.choose import chosen
 from berthing.mesh.fit import Fit, fits
@@ -52,7 +53,7 @@ def test_what_is_flat_has_no_bound():
     flat = cloud(1) * [1, 1, 0]
     assert outer_bound(flat, 0.0) is None
     assert hull_volume(flat) == 0.0
-    assert fits(flat) == []
+    assert fits(flat, 1.15) == []
 
 
 def test_faces_that_leave_a_side_open_are_no_bound():
@@ -71,7 +72,7 @@ def test_a_turned_box_is_found_again():
 @pytest.mark.parametrize("seed", range(8))
 def test_every_fit_contains_the_points(seed):
     points = cloud(seed) if seed else rod(16)
-    found = fits(points)
+    found = fits(points, 1.15)
     costs, volumes = [f.cost for f in found], [f.volume for f in found]
     assert costs == sorted(costs, reverse=True)
     assert volumes == sorted(volumes)
@@ -84,12 +85,36 @@ def test_every_fit_contains_the_points(seed):
 
 def test_bars_become_boxes():
     bar = solids.box((0.05, 0.05, 1.0)).reshape(-1, 3) @ TURN.T
-    assert isinstance(fits(bar)[-1].build().shape, Box)
+    assert isinstance(fits(bar, 1.15)[-1].build().shape, Box)
+
+
+def test_round_struts_become_cylinders():
+    strut = rod(8)
+    best = fits(strut, 1.15)[-1].build()
+    assert isinstance(best.shape, Cylinder)
+    assert best.shape.radius == pytest.approx(0.02, rel=5e-3)
+    assert best.shape.half_length == pytest.approx(0.4)
+    # Tighter than the box: 8/π of the octagon's area against 2√2 of it.
+    assert best.volume < 1.12 * hull_volume(strut)
+
+
+def test_a_piece_grows_by_twice_the_share_that_is_asked_for_at_most():
+    points = cloud(3)
+    tight = hull_volume(points)
+    for ratio in (1.05, 1.45):
+        assert all(fit.volume <= (2 * ratio - 1) * tight for fit in fits(points, ratio))
+    assert fits(points, 1.45)[-1].cost < fits(points, 1.05)[-1].cost
+
+
+def test_the_core_of_a_cylinder_lies_inside_it():
+    piece = fits(rod(8), 1.15)[-1].build()
+    inside = piece.placement.inverse().apply(piece.core.corners)
+    assert np.max(piece.shape.level(inside)) <= 1e-15
 
 
 @pytest.mark.parametrize("points", [rod(16), cloud(4), solids.box((1, 2, 3)).reshape(-1, 3)])
 def test_a_pushed_piece_contains_the_old_one(points):
-    for fit in fits(points):
+    for fit in fits(points, 1.15):
         piece = fit.build()
         old, new = piece.core, piece.pushed(1e-3).core
         assert np.max(new.level(old.corners)) <= -1e-4

@@ -13,6 +13,7 @@ import pytest
 from berthing.errors import InputError
 from berthing.geometry.pose import Pose
 from berthing.mesh import cache
+from berthing.mesh.certificate import SEAL, seal
 from berthing.mesh.mass import of_solid
 from berthing.mesh.recheck import faults
 from berthing.scenario.files import from_document, load
@@ -121,7 +122,7 @@ def test_the_document_stands_alone(meshes, loaded, folder, monkeypatch):
     assert again.document == scenario.document
     part = scenario.document["phases"][0]["vehicles"][0]["parts"][0]
     assert len(part["certificate"]["mesh_sha256"]) == 64
-    assert {piece["shape"]["type"] for piece in part["pieces"]} <= {"box", "polytope"}
+    assert {piece["shape"]["type"] for piece in part["pieces"]} <= {"box", "polytope", "cylinder"}
 
 
 def test_the_pieces_in_a_document_can_be_proven_again(meshes, loaded, folder):
@@ -266,4 +267,15 @@ def test_an_edited_document_is_refused(meshes, loaded, what):
     else:
         part["certificate"]["push_m"] = 0.0
     with pytest.raises(InputError, match=r"parts\[0\]\.certificate: does not fit its seal"):
+        from_document(document)
+
+
+def test_pieces_that_contradict_their_certificate_are_refused_with_a_new_seal_too(meshes, loaded):
+    """The mesh may be gone, but its volume stands in the certificate."""
+    document = copy.deepcopy(dict(loaded(meshes).document))
+    part = document["structures"][0]["parts"][0]
+    part["pieces"][0]["shape"]["size_m"] = [s - 2e-3 for s in part["pieces"][0]["shape"]["size_m"]]
+    said = {k: v for k, v in part["certificate"].items() if k != SEAL}
+    part["certificate"][SEAL] = seal(said, part["pieces"])
+    with pytest.raises(InputError, match=r"parts\[0\]\.certificate: does not fit .*volume_ratio"):
         from_document(document)

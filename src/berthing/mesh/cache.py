@@ -13,7 +13,7 @@ from berthing.errors import InputError
 from berthing.mesh.decomposition import Decomposition
 
 # Raise it where the same input gives other pieces: what was cached before is not used any more.
-ALGORITHM = 1
+ALGORITHM = 2
 FOLDER_VARIABLE = "BERTHING_CACHE"
 
 

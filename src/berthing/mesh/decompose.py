@@ -65,7 +65,7 @@ def decompose(solid: Solid, settings: DecomposeSettings) -> Cover:
         InputError: CoACD is missing or failed, or no push that is allowed makes the pieces cover.
     """
     parts, threshold = _parts(solid, settings)
-    options = [found for points in parts if (found := fits(points))]
+    options = [found for points in parts if (found := fits(points, settings.volume_ratio))]
     pieces, push = _within_budget(solid, options, settings.volume_ratio * solid.volume)
     return _pushed_out(solid, pieces, push, threshold, settings)
 

@@ -14,9 +14,15 @@ from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array, as_array
 from berthing.geometry.box import Box
 from berthing.geometry.convex_set import ConvexSet
+from berthing.geometry.cylinder import Cylinder
 from berthing.geometry.polytope import Polytope
 from berthing.geometry.pose import Pose
 from berthing.mesh.hull import hull_volume
+
+# Sides of the prism that stands for a cylinder in the proof: it lies inside by 0.2% of the radius.
+PRISM_SIDES = 48
+# A cylinder's radius over the inner radius of that prism.
+ROUNDING = float(1.0 / np.cos(np.pi / PRISM_SIDES))
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,7 +30,7 @@ class Piece:
     """A convex set in the frame of the mesh.
 
     Attributes:
-        shape: a polytope or a box, in metres.
+        shape: a polytope, a box, or a cylinder along its x axis, in metres.
         placement: a single pose of the shape's frame in the mesh's.
         written: what it was read from, since numbers that are normalised when read would come out
             otherwise by a rounding; None of a piece that was made here.
@@ -36,11 +42,14 @@ class Piece:
 
     @cached_property
     def core(self) -> Polytope:
-        """The piece as a polytope in the frame of the mesh: of this the proof speaks."""
+        """A polytope in the frame of the mesh, inside the piece: the piece itself, if flat-sided.
+
+        Of this the proof speaks: what the core covers, the piece covers.
+        """
         return _CORES[type(self.shape)](self.shape, self.placement)
 
     def pushed(self, push_m: float) -> Piece:
-        """The piece with every face moved out by ``push_m``, its placement as it is."""
+        """The piece with every face of its core moved out by ``push_m``, its placement as it is."""
         return Piece(_PUSHED[type(self.shape)](self.shape, push_m), self.placement)
 
     @property
@@ -50,8 +59,8 @@ class Piece:
 
     @property
     def faces(self) -> int:
-        """How many."""
-        return len(self.core.b)
+        """How many; a round one counts as one."""
+        return 3 if isinstance(self.shape, Cylinder) else len(self.core.b)
 
     def to_json(self) -> dict[str, Any]:
         """As a part of a scenario file: shape, position and attitude, the latter where needed."""
@@ -100,19 +109,33 @@ def _box_core(shape: Box, placement: Pose) -> Polytope:
     return _moved(A, b, placement)
 
 
+def _cylinder_core(shape: Cylinder, placement: Pose) -> Polytope:
+    """A prism whose edges lie on the round face."""
+    angle = np.arange(PRISM_SIDES) * (2.0 * np.pi / PRISM_SIDES)
+    sides = np.stack([np.zeros_like(angle), np.cos(angle), np.sin(angle)], axis=1)
+    ends = np.array([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]])
+    b = np.concatenate(
+        [np.full(PRISM_SIDES, shape.radius / ROUNDING), np.full(2, shape.half_length)]
+    )
+    return _moved(np.concatenate([sides, ends]), b, placement)
+
+
 _CORES: dict[type[ConvexSet], Callable[[Any, Pose], Polytope]] = {
     Polytope: _polytope_core,
     Box: _box_core,
+    Cylinder: _cylinder_core,
 }
 
 _VOLUMES: dict[type[ConvexSet], Callable[[Any], float]] = {
     Polytope: lambda s: hull_volume(s.corners),
     Box: lambda s: float(np.prod(2.0 * s.half_extents)),
+    Cylinder: lambda s: float(np.pi * s.radius**2 * 2.0 * s.half_length),
 }
 
 _PUSHED: dict[type[ConvexSet], Callable[[Any, float], ConvexSet]] = {
     Polytope: lambda s, push: Polytope(s.A, s.b + push),
     Box: lambda s, push: Box(s.half_extents + push),
+    Cylinder: lambda s, push: Cylinder(s.radius + ROUNDING * push, s.half_length + push, s.axis),
 }
 
 _WRITERS: dict[type[ConvexSet], Callable[[Any], dict[str, Any]]] = {
@@ -120,9 +143,18 @@ _WRITERS: dict[type[ConvexSet], Callable[[Any], dict[str, Any]]] = {
         "type": "polytope", "normals": s.A.tolist(), "offsets_m": s.b.tolist()
     },
     Box: lambda s: {"type": "box", "size_m": (2.0 * s.half_extents).tolist()},
+    Cylinder: lambda s: {
+        "type": "cylinder", "radius_m": s.radius, "length_m": 2.0 * s.half_length, "axis": "x"
+    },
 }  # fmt: skip
+
+def _along_x(block: Mapping[str, Any]) -> Cylinder:
+    """KeyError for another axis: such a cylinder was not written here."""
+    return {"x": Cylinder(block["radius_m"], 0.5 * block["length_m"], "x")}[block["axis"]]
+
 
 _READERS: dict[str, Callable[[Mapping[str, Any]], ConvexSet]] = {
     "polytope": lambda b: Polytope(np.array(b["normals"]), np.array(b["offsets_m"])),
     "box": lambda b: Box(0.5 * np.array(b["size_m"])),
+    "cylinder": _along_x,
 }

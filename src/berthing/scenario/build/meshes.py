@@ -6,8 +6,12 @@ from collections.abc import Sequence
 from pathlib import Path as FilePath
 from typing import TypeVar
 
+from berthing.errors import InputError
 from berthing.mesh.certificate import Certificate
+from berthing.mesh.decomposition import Decomposition
 from berthing.mesh.from_file import decomposed
+from berthing.mesh.piece import Piece
+from berthing.mesh.recheck import faults_without_mesh
 from berthing.mesh.settings import DEFAULT, DecomposeSettings
 from berthing.mesh.urdf.parts import robot_parts
 from berthing.mesh.urdf.robot import Robot, read_robot
@@ -85,7 +89,7 @@ def _part(block: AnyPart, planar: bool, source: Source, path: Path) -> AnyPart:
     if planar:
         raise source.error((*path, "mesh"), "is a mesh in a scenario of 2 dimensions", "a shape")
     if block.pieces is not None:
-        _check_seal(block, source, path)
+        _check_pieces(block, source, path)
         return block
     ratio = block.volume_ratio
     settings = DEFAULT if ratio is None else DecomposeSettings(volume_ratio=ratio)
@@ -110,10 +114,14 @@ def _list(value: object) -> list[object]:
     return value if isinstance(value, list) else []
 
 
-def _check_seal(block: MeshPartBlock, source: Source, path: Path) -> None:
+def _check_pieces(block: MeshPartBlock, source: Source, path: Path) -> None:
     pieces = [p.model_dump(mode="json", exclude_none=True) for p in block.pieces or ()]
     with source.at(*path):
-        Certificate.from_json(block.certificate or {}, pieces, "certificate")
+        said = Certificate.from_json(block.certificate or {}, pieces, "certificate")
+        read = [Piece.from_json(piece, f"pieces[{i}]") for i, piece in enumerate(pieces)]
+        wrong = faults_without_mesh(Decomposition(tuple(read), said))
+        if wrong:
+            raise InputError("certificate", f"does not fit its pieces: {'; '.join(wrong)}")
 
 
 def _robot(urdf: UrdfBlock, planar: bool, source: Source, path: Path) -> Robot:
