@@ -13,6 +13,7 @@ from berthing.guess.first_motions import first_motions
 from berthing.guess.normals import exact_normals
 from berthing.guess.search import EFFORTS, Search
 from berthing.refine.begin_with import beginning, refine
+from berthing.refine.polish import polish
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import SolverOptions
@@ -81,8 +82,9 @@ def plan(
                 if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
                     break
             if best is not None and work.options.tolerance is not None:
-                polished = work.refiner().polish("best", best, work.options.tolerance)
-                work.attempts += polished
+                work.attempts += polish(
+                    work.refiner(), "best", best, work.options.tolerance
+                )
     return work.result(best)
 
 

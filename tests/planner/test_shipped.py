@@ -144,5 +144,5 @@ def test_a_tolerance_settles_the_hamiltonian(tmp_path: Path) -> None:
     document = plan("scenario-b-tight", tmp_path / "settled", "--tolerance", "0.015")
     verification = document["verification"]
     assert document["outcome"] == "certified"
-    assert verification["hamiltonian_relative_drift"] <= 0.03
+    assert verification["hamiltonian_relative_drift"] <= 0.015
     assert "refine" in document["wall_time_s"]

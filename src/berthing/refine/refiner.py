@@ -15,7 +15,6 @@ import numpy as np
 
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
-from berthing.refine.events import active, aligned, halved, joined
 from berthing.refine.place import dip_sites, near_sites, sites_around
 from berthing.refine.remesh import split_unresolved
 from berthing.refine.sampling import SampledClearance, sample_clearance, sample_times
@@ -23,7 +22,7 @@ from berthing.result import Attempt
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.solve.homotopy import solve_by_stages
-from berthing.solve.ipopt import Answer, Budget, Start
+from berthing.solve.ipopt import Answer, Budget, Solver, Start
 from berthing.solve.outcome import Outcome
 from berthing.solve.quick import QuickSolver
 from berthing.trajectory import Plan
@@ -61,11 +60,6 @@ factor by which the spacing shrinks from round to round."""
 SWEEP = 1.2
 """Sites that follow each other within this many spacings share planes."""
 
-POLISH_ROUNDS = 12
-JOIN, CLOSEST = 0.45, 1e-3
-"""Of the mean distance of two nodes: active rows nearer than the first are one touch, and sites
-are not put closer than the second."""
-
 ROUNDS = 14
 ITERATIONS = 250
 
@@ -96,6 +90,15 @@ class Refinement:
 
 
 @dataclass(frozen=True)
+class Step:
+    """One solve with the clearance along its answer; None where it has not solved."""
+
+    problem: Problem
+    outcome: Outcome
+    sampled: SampledClearance | None
+
+
+@dataclass(frozen=True)
 class Refiner:
     """Refines candidates of one phase.
 
@@ -118,7 +121,7 @@ class Refiner:
     def run(self, name: str, coarse: Problem, motion: Motion) -> Refinement:
         """Refine ``motion``, the answer of ``coarse``, until certified or out of rounds."""
         mesh = self.mesh
-        sampled = self._sample(coarse, motion)
+        sampled = self.sample(coarse, motion)
         sites = near_sites(mesh, len(coarse.pairs), sampled, NEAR_M)
         motion = resample(motion, self.phase, coarse.mesh, mesh)
         spacing = SPACING * motion.duration_s / mesh.control_count
@@ -132,13 +135,11 @@ class Refiner:
         motion = resample(motion, self.phase, coarse.mesh, self.mesh)
         sites = node_sites(self.mesh, len(coarse.pairs))
         problem = build(self.scenario, self.phase, self.mesh, sites, self.formulation)
-        result.outcome = self._solve(problem, motion, None)
-        result.attempts.append(attempt(f"{name}, as it is", problem, result.outcome))
-        if result.outcome.solved:
-            result.answer = Answer(problem, result.outcome)
-            clearance = _least(self._sample(problem, result.outcome.motion))
-            self.report(name, result.outcome.iterations, clearance)
-            self._verify(result, problem, result.outcome)
+        step = self.step(f"{name}, as it is", problem, motion, None, result.attempts)
+        result.outcome = step.outcome
+        if step.sampled is not None:
+            result.answer = Answer(problem, step.outcome)
+            self.verify(result, step)
         return result
 
     def follow(self, name: str, answer: Answer) -> Refinement:
@@ -158,16 +159,14 @@ class Refiner:
         spacing, reach = around_s
         for round_ in range(ROUNDS):
             problem = self._build(mesh, sites)
-            outcome = self._solve(problem, motion, previous)
-            result.attempts.append(attempt(f"{name}, round {round_ + 1}", problem, outcome))
-            if not outcome.solved:
+            label = f"{name}, round {round_ + 1}"
+            step = self.step(label, problem, motion, previous, result.attempts)
+            outcome, sampled = step.outcome, step.sampled
+            if sampled is None:
                 result.outcome = result.outcome or outcome
                 break
             result.outcome, motion = outcome, outcome.motion
             result.answer = Answer(problem, outcome)
-            sampled = self._sample(problem, motion)
-            clearance = _least(sampled)
-            self.report(f"{name}, round {round_ + 1}", outcome.iterations, clearance)
             close = sampled.worst_m < CARRY_M
             previous = result.answer if close else None
             spacing *= SHRINK
@@ -177,7 +176,7 @@ class Refiner:
                 sites = dip_sites(mesh, sites, sampled, allowed, spacing, reach)
                 if len(sites) > len(before):
                     continue
-            self._verify(result, problem, outcome)
+            self.verify(result, step)
             if result.certified:
                 break
             mesh, motion, sites = self._after(result, problem, motion, spacing, reach)
@@ -187,40 +186,18 @@ class Refiner:
             previous = previous if mesh == problem.mesh else None
         return result
 
-    def polish(self, name: str, result: Refinement, tolerance: float) -> list[Attempt]:
-        """Close in on the touches of a certified answer until the lower Hamiltonian drifts by no
-        more than ``tolerance`` of its mean; every certified step that drifts less is kept.
-
-        Returns:
-            The solves that this took.
-        """
-        attempts: list[Attempt] = []
-        if result.answer is None or not result.certified:
-            return attempts
-        answer, node = result.answer, 1.0 / self.mesh.control_count
-        for round_ in range(POLISH_ROUNDS):
-            drift = _drift(result)
-            if drift <= tolerance or time.monotonic() > self.deadline:
-                break
-            problem = answer.problem
-            touches = active(problem, answer.outcome)
-            mesh = aligned(self.mesh, joined(touches, JOIN * node))
-            motion = resample(answer.outcome.motion, self.phase, problem.mesh, mesh)
-            sites = halved(problem, touches, mesh, CLOSEST * node)
-            problem = self._build(mesh, sites)
-            outcome = self._solve(problem, motion, None)
-            label = f"{name}, touches, round {round_ + 1}"
-            attempts.append(attempt(label, problem, outcome))
-            if not outcome.solved:
-                break
-            answer = Answer(problem, outcome)
-            self.report(label, outcome.iterations, _least(self._sample(problem, outcome.motion)))
-            step = Refinement()
-            self._verify(step, problem, outcome)
-            if step.certified and _drift(step) < drift:
-                result.plan, result.verification = step.plan, step.verification
-                result.outcome, result.answer = outcome, answer
-        return attempts
+    def step(
+        self, label: str, problem: Problem, motion: Motion, previous: Answer | None,
+        attempts: list[Attempt], preset: str | None = None,
+    ) -> Step:  # fmt: skip
+        """Solve, record it, sample the answer, tell of it."""
+        outcome = self._solve(problem, motion, previous, preset)
+        attempts.append(attempt(label, problem, outcome))
+        if not outcome.solved:
+            return Step(problem, outcome, None)
+        sampled = self.sample(problem, outcome.motion)
+        self.report(label, outcome.iterations, _least(sampled))
+        return Step(problem, outcome, sampled)
 
     def _build(self, mesh: Mesh, sites: list[Site]) -> Problem:
         within = SWEEP * SPACING / self.mesh.control_count
@@ -229,10 +206,16 @@ class Refiner:
             shapes_of=self.shapes_of, sweep_within=within,
         )  # fmt: skip
 
-    def _solve(self, problem: Problem, motion: Motion, previous: Answer | None) -> Outcome:
+    def _solve(
+        self, problem: Problem, motion: Motion, previous: Answer | None, preset: str | None
+    ) -> Outcome:
         left = max(self.deadline - time.monotonic(), 0.1)
-        preset = "near" if previous is None else "warm"
-        solver = QuickSolver(problem, preset, Budget(ITERATIONS, left))
+        budget = Budget(ITERATIONS, left)
+        solver = (
+            QuickSolver(problem, "near" if previous is None else "warm", budget)
+            if preset is None
+            else Solver.build(problem, preset, budget)
+        )
         start = Start(motion, exact_normals(problem.pairs))
         outcome = solver.solve(self.scenario, start, backoff_m=BACKOFF_M, previous=previous)
         if outcome.solved or len(problem.homotopy) < 2:
@@ -242,14 +225,16 @@ class Refiner:
             problem, self.scenario, start, preset="near", budget=budget, backoff_m=BACKOFF_M
         )
 
-    def _sample(self, problem: Problem, motion: Motion) -> SampledClearance:
+    def sample(self, problem: Problem, motion: Motion) -> SampledClearance:
+        """Clearance along ``motion``, a motion of ``problem``."""
         trajectory = trajectories(problem, motion)
         times = sample_times(trajectory, SAMPLES)
         margin = self.scenario.margins.default_m
         return sample_clearance(self.scenario, problem.pairs, trajectory, times, margin + LOOK_M)
 
-    def _verify(self, result: Refinement, problem: Problem, outcome: Outcome) -> None:
-        plan = make_plan(self.scenario, problem, outcome, self.formulation, self.seed)
+    def verify(self, result: Refinement, step: Step) -> None:
+        """Make a plan of a solved step and check it; ``result`` takes both."""
+        plan = make_plan(self.scenario, step.problem, step.outcome, self.formulation, self.seed)
         result.plan, result.verification = plan, verify(self.scenario, plan)
 
     def _after(
@@ -291,12 +276,6 @@ def make_plan(
         seed=seed,
         backoff_m=BACKOFF_M,
     )
-
-
-def _drift(result: Refinement) -> float:
-    verification = result.verification
-    drift = None if verification is None else verification.hamiltonian_relative_drift
-    return float("inf") if drift is None else drift
 
 
 def _least(sampled: SampledClearance) -> float | None:

@@ -36,7 +36,11 @@ WARM: dict[str, Any] = {
 }
 """From an answer with multipliers."""
 
-PRESETS: dict[str, dict[str, Any]] = {"cold": COLD, "near": NEAR, "warm": WARM}
+SHARP = {**NEAR, "tol": 1e-10}
+"""Near, and down to a barrier a hundred times lower: what it leaves on rows that are not active
+adds up over a hundred of them, and costates show it first."""
+
+PRESETS: dict[str, dict[str, Any]] = {"cold": COLD, "near": NEAR, "warm": WARM, "sharp": SHARP}
 
 
 @dataclass(frozen=True)

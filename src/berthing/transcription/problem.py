@@ -45,7 +45,7 @@ from berthing.transcription.separation import (
     margin_name,
 )
 from berthing.transcription.sites import Site, site_margins, site_times
-from berthing.transcription.sweeps import Sweep, add_sweeps
+from berthing.transcription.sweeps import Shares, Sweep, add_sweeps
 
 DEFAULT_REGULARISER = 1e-3
 """Weight of the multipliers' mean square against a cost of order one: it picks one multiplier
@@ -251,6 +251,7 @@ def build(
     *,
     shapes_of: ShapesOf = planned_shapes,
     sweep_within: float = 0.0,
+    shares: Shares = lambda first, last: True,
     regulariser: float = DEFAULT_REGULARISER,
     t0_s: float = 0.0,
 ) -> Problem:
@@ -259,7 +260,7 @@ def build(
     Args:
         shapes_of: what stands for the parts of a pair.
         sweep_within: sites of a pair that follow each other within this fraction of the phase
-            share planes, where the formulation has any.
+            share planes, where the formulation has any and ``shares`` says so.
 
     Raises:
         InputError: no such formulation.
@@ -279,7 +280,9 @@ def build(
     add_path_constraints(layout)
     places = Places(layout)
     separation = add_separation(layout, pairs, formulations, sites, places, regulariser)
-    sweeps = add_sweeps(layout, pairs, formulations, separation, places, sweep_within, regulariser)
+    sweeps = add_sweeps(
+        layout, pairs, formulations, separation, places, sweep_within, shares, regulariser
+    )
     nlp = layout.elements.programme(layout.variables.size, layout.parameters.size, layout.rows.size)
     return Problem(
         scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation, sweeps

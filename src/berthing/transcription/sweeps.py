@@ -10,7 +10,7 @@ square of the time between the sites.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
@@ -26,6 +26,9 @@ from berthing.transcription.layout import PhaseLayout
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.separation import Places, SiteRows, margin_name, part_pose
 from berthing.transcription.sites import Site
+
+Shares = Callable[[Site, Site], bool]
+"""Whether two neighbouring sites of a pair are to share a plane."""
 
 
 @dataclass(frozen=True)
@@ -60,11 +63,13 @@ def add_sweeps(
     separation: SiteRows,
     places: Places,
     within: float,
+    shares: Shares,
     regulariser: float,
 ) -> tuple[Sweep, ...]:
     """Append a sweep for neighbouring sites of every pair whose formulation has planes."""
     sites = separation.sites
-    joined = neighbours(sites, layout.mesh, within)
+    near = neighbours(sites, layout.mesh, within)
+    joined = [(i, j) for i, j in near if shares(sites[i], sites[j])]
     out: list[Sweep] = []
     for p, (pair, form) in enumerate(zip(pairs, formulations, strict=True)):
         here = [(i, j) for i, j in joined if sites[i].pair == p]
