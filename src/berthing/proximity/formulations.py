@@ -6,6 +6,8 @@ from collections.abc import Callable
 
 from berthing.errors import InputError
 from berthing.geometry.convex_set import ConvexSet
+from berthing.proximity.dual import DualFormulation
+from berthing.proximity.enclosed import bounding_ellipsoid, bounding_sphere
 from berthing.proximity.formulation import PairFormulation
 from berthing.proximity.kkt import KktFormulation
 from berthing.proximity.kkt_complementarity import KktComplementarityFormulation
@@ -13,8 +15,11 @@ from berthing.proximity.plane import PlaneFormulation
 
 FORMULATIONS: dict[str, Callable[[ConvexSet, ConvexSet], PairFormulation]] = {
     "plane": PlaneFormulation,
+    "dual": DualFormulation,
     "kkt": KktFormulation,
     "kkt-complementarity": KktComplementarityFormulation,
+    "bounding-sphere": bounding_sphere,
+    "bounding-ellipsoid": bounding_ellipsoid,
 }
 
 

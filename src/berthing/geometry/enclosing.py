@@ -1,0 +1,113 @@
+"""Small balls and ellipsoids that hold a set, and where they lie in its frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from berthing.geometry.arrays import Array
+from berthing.geometry.capability import HasVertices
+from berthing.geometry.convex_set import ConvexSet
+from berthing.geometry.cylinder import Cylinder
+from berthing.geometry.ellipsoid import Ellipsoid
+from berthing.geometry.pose import Pose
+from berthing.geometry.sphere import Sphere
+
+EXCESS = 1e-6
+"""The volume of the least ellipsoid is met to about this share times its dimension."""
+
+MAX_STEPS = 100_000
+
+GROWTH = 1e-9
+"""Relative, so that rounding leaves no point outside."""
+
+
+@dataclass(frozen=True)
+class Enclosure:
+    """A set with its place in the frame of what it holds."""
+
+    shape: ConvexSet
+    placement: Pose
+
+
+def enclosing_ball(shape: ConvexSet) -> Enclosure:
+    """A ball that holds ``shape`` about the middle of its extents; the least one for a box."""
+    middle, half = _extents(shape)
+    if isinstance(shape, HasVertices):
+        radius = float(np.max(np.linalg.norm(shape.vertices() - middle, axis=1)))
+    else:
+        about_origin = shape.bounding_radius + float(np.linalg.norm(middle))
+        radius = min(float(np.linalg.norm(half)), about_origin)
+    return Enclosure(
+        Sphere(radius * (1.0 + GROWTH), shape.dim), Pose(middle, np.eye(shape.dim))
+    )
+
+
+def enclosing_ellipsoid(shape: ConvexSet) -> Enclosure:
+    """The ellipsoid of least volume for boxes, cylinders, polytopes; else that of its extents."""
+    closed = _CLOSED.get(type(shape))
+    if closed is not None:
+        return Enclosure(closed(shape), Pose.identity(shape.dim))
+    if isinstance(shape, HasVertices):
+        return _least_ellipsoid(shape.vertices())
+    middle, half = _extents(shape)
+    # A box lies in the ellipsoid of √d times its half-sizes.
+    grown = np.sqrt(shape.dim) * half * (1.0 + GROWTH)
+    return Enclosure(Ellipsoid(grown), Pose(middle, np.eye(shape.dim)))
+
+
+def _extents(shape: ConvexSet) -> tuple[Array, Array]:
+    """Middle and half-sizes (d,) of the box along the shape's own axes."""
+    axes = np.eye(shape.dim)
+    upper, lower = shape.support(axes)[0], -shape.support(-axes)[0]
+    return np.asarray(0.5 * (upper + lower)), np.asarray(0.5 * (upper - lower))
+
+
+def _of_cylinder(shape: Cylinder) -> Ellipsoid:
+    # Of x²/a² + ρ²/b² with h²/a² + r²/b² = 1 the volume a b² is least at a² = 3 h², b² = 3 r²/2.
+    axes = np.full(3, np.sqrt(1.5) * shape.radius)
+    axes["xyz".index(shape.axis)] = np.sqrt(3.0) * shape.half_length
+    return Ellipsoid(axes * (1.0 + GROWTH))
+
+
+def _of_ball(shape: Sphere) -> ConvexSet:
+    return shape
+
+
+_CLOSED: dict[type[ConvexSet], Callable[..., ConvexSet]] = {
+    Cylinder: _of_cylinder,
+    Sphere: _of_ball,
+    Ellipsoid: lambda shape: shape,
+}
+
+
+def _least_ellipsoid(points: Array) -> Enclosure:
+    """Khachiyan's ascent on the weights of the points (k, d), then grown to hold them all.
+
+    L. G. Khachiyan, 10.1287/moor.21.2.307; the step is that of M. J. Todd and E. A. Yıldırım,
+    10.1016/j.dam.2007.02.013, without its steps away.
+    """
+    count, d = points.shape
+    lifted = np.hstack([points, np.ones((count, 1))])
+    weights = np.full(count, 1.0 / count)
+    for _ in range(MAX_STEPS):
+        moment = lifted.T @ (weights[:, None] * lifted)
+        reach = np.einsum("ki,ij,kj->k", lifted, np.linalg.inv(moment), lifted)
+        far = int(np.argmax(reach))
+        excess = float(reach[far]) / (d + 1.0) - 1.0
+        if excess <= EXCESS:
+            break
+        step = (reach[far] - d - 1.0) / ((d + 1.0) * (reach[far] - 1.0))
+        weights *= 1.0 - step
+        weights[far] += step
+    centre = weights @ points
+    spread = (points - centre).T @ (weights[:, None] * (points - centre))
+    # {x : (x − c)ᵀ spread⁻¹ (x − c) ≤ d}, scaled to its farthest point.
+    sizes, axes = np.linalg.eigh(spread)
+    if np.linalg.det(axes) < 0.0:
+        axes[:, 0] *= -1.0
+    local = (points - centre) @ axes / np.sqrt(sizes)
+    scale = float(np.max(np.linalg.norm(local, axis=1))) * (1.0 + GROWTH)
+    return Enclosure(Ellipsoid(scale * np.sqrt(sizes)), Pose(centre, axes))
