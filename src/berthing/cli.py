@@ -304,6 +304,47 @@ def decompose_command(
     raise typer.Exit(guarded(work))
 
 
+@app.command("compare")
+def compare_command(
+    scenario: Annotated[str, typer.Argument(help="A case that ships, or a YAML or JSON file.")],
+    formulation: Annotated[
+        list[str] | None, typer.Option(help="One to compare; say it again for more. All if none.")
+    ] = None,
+    guesses: Annotated[
+        int | None, typer.Option(help="How many guesses; all of the planner's if not given.")
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Seed of the guesses.")] = 0,
+    time_limit: Annotated[
+        float, typer.Option(metavar="S", help="Wall time of each solve, in seconds.")
+    ] = 60.0,
+    out: Annotated[
+        Path | None, typer.Option(help="Write it to this file too: .json or .md.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Solve one case by several formulations from the same guesses, and put them side by side.
+
+    Separation is asked for at the nodes only; the last column shows what the true shapes keep
+    between them. Nothing is certified: `berthing plan` does that.
+
+    **Exit code:** 0 done · 2 bad usage or input · 130 interrupted
+
+    **Examples**
+
+    - `berthing compare scenario-b-tight`
+    - `berthing compare scenario-a --formulation plane --formulation kkt --guesses 4 --out a.md`
+    """
+
+    def work() -> int:
+        from berthing.commands import comparing
+
+        return comparing.run(
+            scenario, formulation or (), guesses, seed, time_limit, out, as_json=as_json
+        )
+
+    raise typer.Exit(guarded(work))
+
+
 @app.command("scenarios")
 def scenarios_command(as_json: AsJson = False) -> None:
     """List the cases that ship; any of these names will do as SCENARIO.

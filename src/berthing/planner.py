@@ -12,6 +12,7 @@ from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import first_motions
 from berthing.guess.normals import exact_normals
 from berthing.guess.search import EFFORTS, Search
+from berthing.proximity.formulations import check_planned
 from berthing.refine.begin_with import beginning, refine
 from berthing.refine.polish import polish
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
@@ -65,6 +66,7 @@ def plan(
         KeyboardInterrupt: Ctrl-C; nothing is kept.
     """
     work = _Work(scenario, options or scenario.solver, progress or (lambda event: None))
+    check_planned(work.options.formulation)
     with work.stage("check"):
         check_endpoints(scenario)
     with work.stage("guess"):

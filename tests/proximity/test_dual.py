@@ -94,5 +94,5 @@ class _Bounded:
 
 
 def test_what_it_cannot_take_is_told_apart() -> None:
-    with pytest.raises(CapabilityError, match="`dual` cannot take Capsule.*`plane` or `kkt`"):
+    with pytest.raises(CapabilityError, match=r"`dual` cannot take Capsule.*`plane` or `kkt`"):
         DualFormulation(Capsule(0.2, 0.5), Sphere(1.0))

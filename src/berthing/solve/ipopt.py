@@ -131,11 +131,13 @@ class Solver:
         backoff_m: float,
         previous: Answer | None = None,
         eps: float | None = None,
+        bounds: tuple[Array, Array] | None = None,
     ) -> Outcome:
         """Solve from ``start``, or from ``previous`` on the same mesh, with its multipliers.
 
         Rows and variables that ``previous`` does not have begin as ``start`` says. ``eps`` is the
-        stage of the problem's homotopy, the last one where None.
+        stage of the problem's homotopy, the last one where None. ``bounds`` stand in for those of
+        the problem's variables, stored units.
 
         Raises:
             KeyboardInterrupt: Ctrl-C during the solve, which IPOPT itself swallows.
@@ -144,7 +146,7 @@ class Solver:
         motion = start.motion
         parameters = problem.parameter_vector(scenario, backoff_m, motion.duration_s, eps)
         x0 = start.vector(problem, scenario, eps)
-        lower, upper = problem.layout.variables.bounds()
+        lower, upper = bounds or problem.layout.variables.bounds()
         row_lower, row_upper = problem.layout.rows.bounds()
         arguments = {
             "x0": x0, "p": parameters, "lbx": lower, "ubx": upper,
