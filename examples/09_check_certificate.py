@@ -11,7 +11,6 @@ from numpy.linalg import norm
 from numpy.polynomial import chebyshev as cheb
 
 SHAPES = ("box", "sphere", "point", "ellipsoid", "cylinder", "polytope")
-MOTIONS = ("fixed", "constant-velocity", "spin")
 
 
 def need(fact, what):
@@ -66,8 +65,8 @@ def poses(body, times, nodes):  # by the law, or by the segment that holds the i
         return np.transpose([x.get(k, 0 * times) for k in ("x_m", "y_m", "z_m")]), [*map(turn, q)]
     motion, (r, R) = body["motion"], placed({} if body["motion"]["type"] == "fixed" else body)
     v, e = lift(motion.get("velocity_m_s", [0])), np.array(motion.get("axis", [0, 0, 1]))
-    half = motion.get("rate_rad_s", 0) * times / 2
-    need(motion["type"] in MOTIONS and abs(half[1] - half[0]) < 4, "unknown, or too far, a motion")
+    half, known = motion.get("rate_rad_s", 0) * times / 2, ("fixed", "constant-velocity", "spin")
+    need(motion["type"] in known and abs(half[1] - half[0]) < 4, "unknown, or too far, a motion")
     return r + np.outer(times, v), [R @ turn([np.cos(a), *np.sin(a) * e / norm(e)]) for a in half]
 
 
@@ -88,7 +87,7 @@ def bound(a, b, part_a, part_b, t0, t1, n0, n1):  # on the clearance; n linear f
     bend = -2 * slope @ cheb.chebval(nodes, z1) - (n.T * cheb.chebval(nodes, z2)).sum(0)
     bend = cheb.chebfit(nodes, bend, last)
     K = bend[0] + abs(bend[1:]).sum() + radius * (2 * norm(slope) * Q1 + Q2)
-    sag, gap = 2 * np.maximum(K, 0) * h**2, abs(phi[1] - phi[0])
+    sag, gap = 2 * np.maximum(K, 0) * h**2 + 1e-13, abs(phi[1] - phi[0])  # n = 0 proves nothing
     return min(phi) if gap >= sag else sum(phi) / 2 - sag / 4 - gap**2 / (4 * sag)
 
 
@@ -118,6 +117,7 @@ def main(folder):
         tubes = {s["name"]: (0, 0) for s in scenario["structures"]}
         tubes |= {v["vehicle"]: (v["position_m"], v["attitude_rad"]) for v in said["tubes"]}
         need(len(own) == len(flown["vehicles"]) and min(map(min, tubes.values())) >= 0, "nonsense")
+        need(phase["name"] == flown["phase"] == said["phase"], "another phase")
         claims = {p["pair"]: p["intervals"] for p in said["pairs"]}
         ((t0, t1),) = {(v["segments"][0]["t0_s"], v["segments"][-1]["t1_s"]) for v in movers}
         T, joints = phase["horizon"].get("duration_s", t1 - t0), [v["segments"] for v in movers]

@@ -61,6 +61,14 @@ class Pose:
         return Pose(position, quaternion.rotation_matrix(q))
 
     @staticmethod
+    def sound(position: Array, rotation: Array) -> Pose:
+        """From floats (k, d) and (k, d, d) that are proper rotations by their making, unchecked.
+
+        The checks of the constructor cost more than a query of 20 poses.
+        """
+        return _trusted(position, rotation)
+
+    @staticmethod
     def planar(position: Array, angle: Array | float) -> Pose:
         """From r (..., 2) and the counter-clockwise angle (...) in rad."""
         angle = np.asarray(angle, dtype=np.float64)

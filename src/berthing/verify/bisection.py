@@ -60,11 +60,13 @@ class Bisection:
 
     def _held(self, open_: Intervals, normal: Array, plane: Plane) -> Intervals:
         """With one normal (k, 3) at both ends, and its plane bounds there."""
-        cells = self._bounds.bodies.cells(open_.middle)
-        poses = [self._bounds.bodies.pose(t, cells) for t in (open_.t0, open_.t1)]
-        values = [plane(open_.pair, pose, normal) for pose in poses]
+        first, second = self._bounds.bodies.cells(open_.middle)
+        cells = np.repeat(first, 2), np.repeat(second, 2)
+        times = np.stack([open_.t0, open_.t1], axis=1)
+        pose = self._bounds.bodies.pose(times.ravel(), cells)
+        values = plane(np.repeat(open_.pair, 2), pose, np.repeat(normal, 2, axis=0))
         normals = np.repeat(normal[:, None], 2, axis=1)
-        return replace(open_, values=np.stack(values, axis=1), normals=normals)
+        return replace(open_, values=values.reshape(-1, 2), normals=normals)
 
     def _level(self, open_: Intervals, last: bool) -> Intervals:
         """Bound every interval, close what is decided, split the rest unless this is the last."""

@@ -66,9 +66,11 @@ class PartPair:
         """The frames (k,) of A's shape in B's body frame."""
         dim, placement = self.part_a.shape.dim, self.part_a.placement
         rotation = pose.rotation[:, :dim, :dim]
-        return Pose(
-            pose.position[:, :dim] + rotation @ placement.position, rotation @ placement.rotation
-        )
+        position = pose.position[:, :dim] + rotation @ placement.position
+        turned = rotation @ placement.rotation
+        # A rotation of a quaternion is one unless it overflowed.
+        finite = np.isfinite(position).all() and np.isfinite(turned).all()
+        return (Pose.sound if finite else Pose)(position, turned)
 
 
 def enclosing_ball(part: Part) -> Ball:
