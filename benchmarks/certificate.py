@@ -30,6 +30,7 @@ SHARES = {"violating": 0.5, "clear": 0.4, "barely clear": 0.1}
 RANGES_M = {"violating": (1e-6, 1e-2), "clear": (1e-4, 1e-2), "barely clear": (1e-6, 1e-4)}
 EXACT_SHARE = 0.2
 REPEATS = 9
+COLUMNS = ("seed", "kind", "two_vehicles", "by_m", "least_m", "verdict", "intervals", "seconds")
 
 
 def amount(kind: str, rng: np.random.Generator) -> float:
@@ -60,11 +61,10 @@ def judged(seed: int, kind: str) -> dict:
     return {
         "seed": seed,
         "kind": kind,
-        "by_m": by,
-        "least_m": case.least_m,
+        "by_m": float(f"{by:.6g}"),
+        "least_m": round(case.least_m, 9),
         "two_vehicles": case.other.flown is not None,
         "verdict": verdict.verdict,
-        "depth_m": verdict.depth_m,
         "intervals": len(found.evidence[0].leaves.pair),
         "seconds": round(seconds, 4),
     }
@@ -129,13 +129,19 @@ def timings_table(rows: list[dict]) -> str:
     return "\n".join(lines)
 
 
-def as_text(document: dict) -> str:
-    """JSON with a line a row."""
-    parts = [
-        f'"{key}": [\n' + ",\n".join(map(json.dumps, rows)) + "\n]"
-        for key, rows in document.items()
-    ]
-    return "{" + ",\n".join(parts) + "}\n"
+def as_text(rows: list[dict], times: list[dict]) -> str:
+    """JSON with a line a pass."""
+    lines = ",\n".join(json.dumps([row[key] for key in COLUMNS]) for row in rows)
+    head = f'"columns": {json.dumps(COLUMNS)},\n"timings": {json.dumps(times, indent=1)}'
+    return f'{{{head},\n"passes": [\n{lines}\n]}}\n'
+
+
+def read_rows(path: Path | None) -> list[dict]:
+    """The passes of an earlier run; none where there was none."""
+    if path is None or not path.exists():
+        return []
+    document = json.loads(path.read_text())
+    return [dict(zip(document["columns"], row, strict=True)) for row in document["passes"]]
 
 
 def main(arguments: list[str]) -> int:
@@ -151,17 +157,15 @@ def main(arguments: list[str]) -> int:
     )
     options = parser.parse_args(arguments)
     asked = kinds(options.count)
-    known = options.json is not None and options.json.exists()
-    document = json.loads(options.json.read_text()) if known else {"passes": [], "timings": []}
-    rows, began = document["passes"], time.monotonic()
+    rows, times, began = read_rows(options.json), [], time.monotonic()
     while len(rows) < len(asked) and time.monotonic() - began < options.seconds:
         rows.append(judged(len(rows), asked[len(rows)]))
     print(f"{len(rows)} of {len(asked)} passes")
     if len(rows) == len(asked):
-        document["timings"] = timings()
+        times = timings()
     if options.json:
-        options.json.write_text(as_text(document))
-    print(passes_table(rows), timings_table(document["timings"]), sep="\n\n")
+        options.json.write_text(as_text(rows, times))
+    print(passes_table(rows), timings_table(times), sep="\n\n")
     false = [row for row in rows if row["kind"] == "violating" and row["verdict"] == "certified"]
     clear = [row for row in rows if row["kind"] == "clear"]
     open_ = [row for row in clear if row["verdict"] != "certified"]

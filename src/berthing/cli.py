@@ -80,6 +80,14 @@ def plan_command(
         str | None,
         typer.Option(help="How far to look for a cheaper way: fast, normal or thorough."),
     ] = None,
+    controls: Annotated[
+        str | None,
+        typer.Option(help="What flies: polynomial, piecewise-linear or piecewise-constant."),
+    ] = None,
+    sample_time: Annotated[
+        float | None,
+        typer.Option(metavar="S", help="Between samples of piecewise controls, in seconds."),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Plan a scenario, prove the plan, and write a plan folder.
@@ -94,6 +102,7 @@ def plan_command(
     - `berthing plan scenario-a`
     - `berthing plan truss.yaml --out plans/truss --seed 3 --force`
     - `berthing plan scenario-b --json | jq .verification`
+    - `berthing plan scenario-a --controls piecewise-constant --sample-time 0.5`
     """
     given = {
         "formulation": formulation,
@@ -104,6 +113,8 @@ def plan_command(
         "guess": guess,
         "tolerance": tolerance,
         "effort": effort,
+        "controls": controls,
+        "sample_time_s": sample_time,
     }
 
     def work() -> int:

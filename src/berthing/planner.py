@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from berthing import result as outcomes
 from berthing.errors import InputError
+from berthing.flight.flown import with_controls
 from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import first_motions
 from berthing.guess.normals import exact_normals
@@ -17,7 +18,7 @@ from berthing.refine.begin_with import beginning, refine
 from berthing.refine.polish import polish
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
-from berthing.scenario.options import SolverOptions
+from berthing.scenario.options import POLYNOMIAL, SolverOptions
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.solve.ipopt import Budget, Start
@@ -29,6 +30,7 @@ from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Problem, build
 from berthing.transcription.sites import node_sites
 from berthing.verify.endpoints import check_endpoints
+from berthing.verify.verification import verify
 
 DEGREE = 4
 """Collocated nodes a segment: ten segments of four beat one of forty in time and accuracy."""
@@ -84,9 +86,10 @@ def plan(
                 if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
                     break
             if best is not None and work.options.tolerance is not None:
-                work.attempts += polish(
-                    work.refiner(), "best", best, work.options.tolerance
-                )
+                work.attempts += polish(work.refiner(), "best", best, work.options.tolerance)
+    if best is not None and work.options.controls != POLYNOMIAL:
+        with work.stage("controls"):
+            work.fly(best)
     return work.result(best)
 
 
@@ -153,6 +156,13 @@ class _Work:
             self.options.seed, report, self.deadline,
         )  # fmt: skip
 
+    def fly(self, best: Refinement) -> None:
+        """In place of the plan the one that flies with the controls asked for, checked anew."""
+        if best.plan is not None:
+            kind, every = self.options.controls, self.options.sample_time_s
+            best.plan = with_controls(self.scenario, best.plan, kind, every)
+            best.verification = verify(self.scenario, best.plan)
+
     def result(self, best: Refinement | None) -> Result:
         attempts = tuple(self.attempts)
         self.seconds["total"] = time.monotonic() - self.began
@@ -165,6 +175,8 @@ class _Work:
             return Result(outcomes.CERTIFIED, made, verification, attempts)
         outcome = outcomes.UNDECIDED if verification.undecided else outcomes.NOT_CERTIFIED
         advice = "try another --seed or more --nodes; "
+        if self.options.controls != POLYNOMIAL:
+            advice = "try a shorter --sample-time, or --controls polynomial; "
         if self.smaller:
             inside = ", ".join(self.smaller)
             advice = f"planned by models inside the shapes of {inside}: take exact or outer ones; "

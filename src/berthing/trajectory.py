@@ -156,7 +156,12 @@ class VehicleNodes:
 
 @dataclass(frozen=True)
 class Plan:
-    """A trajectory with the record of how it was found; it claims nothing about safety."""
+    """A trajectory with the record of how it was found; it claims nothing about safety.
+
+    Attributes:
+        cost_per_margin: by how much the least cost rises with all margins, per metre, from the
+            multipliers of the separation rows; None where they are not known.
+    """
 
     scenario_name: str
     phases: tuple[PhaseTrajectory, ...]
@@ -168,6 +173,7 @@ class Plan:
     seed: int
     backoff_m: float
     wall_time_s: Mapping[str, float] = field(default_factory=dict)
+    cost_per_margin: float | None = None
 
     @property
     def node_count(self) -> int:

@@ -15,6 +15,7 @@ import numpy as np
 
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
+from berthing.refine.margin_cost import cost_per_margin
 from berthing.refine.place import dip_sites, near_sites, sites_around
 from berthing.refine.remesh import split_unresolved
 from berthing.refine.sampling import SampledClearance, sample_clearance, sample_times
@@ -275,6 +276,7 @@ def make_plan(
         iterations=outcome.iterations,
         seed=seed,
         backoff_m=BACKOFF_M,
+        cost_per_margin=cost_per_margin(scenario, problem, outcome, BACKOFF_M),
     )
 
 

@@ -11,6 +11,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from berthing._version import __version__
+from berthing.report.margin_loss import cost_lost
 from berthing.result import Attempt, Result
 from berthing.scenario.normal import document_sha256
 from berthing.scenario.options import SolverOptions
@@ -38,6 +39,8 @@ def plan_document(
         "formulation": plan.formulation,
         "scheme": plan.scheme,
         "cost": plan.cost,
+        "cost_per_margin": plan.cost_per_margin,
+        "cost_lost_to_margins": cost_lost(plan, verification),
         "nodes": plan.node_count,
         "iterations": plan.iterations,
         "seed": plan.seed,

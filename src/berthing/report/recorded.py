@@ -45,7 +45,8 @@ def recorded_verification(document: Mapping[str, Any], where: str) -> Verificati
     if record.get("clearance_lower_bound_m") is None:
         held = any(pair.verdict != EXEMPT for pair in pairs)
         record["clearance_lower_bound_m"] = -math.inf if held else math.inf
-    for name in ("replay_position_error_m", "replay_attitude_error_rad"):
+    record.setdefault("tube_m", 0.0)
+    for name in ("replay_position_error_m", "replay_attitude_error_rad", "tube_m"):
         record[name] = math.inf if record.get(name) is None else record[name]
     ends = tuple(_record(EndErrors, row, at) for row, at in _rows(record, "ends", place))
     replays = tuple(_record(Replay, row, at) for row, at in _rows(record, "replays", place))

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from berthing.report.margin_loss import cost_lost
 from berthing.result import CERTIFIED, UNDECIDED, Attempt, Result
 from berthing.scenario.scenario import Scenario
 from berthing.trajectory import Plan
@@ -38,9 +39,20 @@ BOUND, REQUIRED = _checked("clearance_lower_bound_m"), _checked("required_cleara
 CLOSEST = _checked("closest_pair", "closest_distance_m", "closest_time_s")
 LIMITS, MODEL = _checked("limits_ok"), _checked("model_check")
 REPLAY = _checked("replay_position_error_m", "replay_attitude_error_rad")
+TUBE = _checked("tube_m")
 DRIFT = _checked("hamiltonian_relative_drift")
 
+LOST = ("cost_lost_to_margins",)
+
 WORDS: Mapping[str, str] = {CERTIFIED: "certified", UNDECIDED: "undecided"}
+
+
+# What flies between samples of the controls.
+CONTROLS: Mapping[str, str] = {
+    "polynomial": "polynomials, as optimised",
+    "linear": "linear over {:g} s at a time",
+    "constant": "held for {:g} s at a time",
+}
 
 
 def headline(outcome: str) -> Row:
@@ -60,6 +72,7 @@ def verification_rows(verification: Verification) -> list[Row]:
         Row("limits between nodes", "met" if v.limits_ok else "EXCEEDED", v.limits_ok, LIMITS),
         Row("start and goal", _missed(v)),
         Row("replay of the controls", f"off by {off} at most", None, REPLAY),
+        Row("pose tube", f"{_metres(v.tube_m)} off every bound", None, TUBE),
         Row("Hamiltonian drift", _share(v.hamiltonian_relative_drift), None, DRIFT),
         Row("equations of motion", v.model_check.replace("_", " "), None, MODEL),
     ]
@@ -70,13 +83,15 @@ def reason_rows(verification: Verification) -> list[Row]:
     return [Row("because", reason, False) for reason in verification.reasons]
 
 
-def plan_rows(plan: Plan) -> list[Row]:
+def plan_rows(plan: Plan, verification: Verification) -> list[Row]:
     """What was found, and at what effort."""
     total = plan.wall_time_s.get("total")
     effort = f"{plan.iterations} iterations" + ("" if total is None else f", {total:.1f} s")
     method = f"{plan.formulation}, {plan.scheme}, {plan.node_count} nodes"
     return [
         Row("cost", f"{plan.cost:.6g}", None, ("cost",)),
+        Row("cost of back-off and tube", _lost(plan, verification), None, LOST),
+        Row("controls", _controls(plan)),
         Row("method", method, None, ("formulation", "scheme", "nodes")),
         Row("effort", effort, None, ("iterations", "wall_time_s.total")),
         Row("seed", str(plan.seed), None, ("seed",)),
@@ -91,7 +106,10 @@ def result_rows(scenario: Scenario, result: Result) -> list[Row]:
         rows += [Row("tried", attempt_line(attempt)) for attempt in result.attempts]
     else:
         rows.append(headline(result.outcome))
-        rows += [*verification_rows(result.verification), *plan_rows(result.plan)]
+        rows += [
+            *verification_rows(result.verification),
+            *plan_rows(result.plan, result.verification),
+        ]
         rows += reason_rows(result.verification)
     return [*rows, Row("try next", result.advice)] if result.advice else rows
 
@@ -134,6 +152,19 @@ def _missed(v: Verification) -> str:
 def _metres(value: float) -> str:
     """In metres, or short where that would be zeros."""
     return f"{value:.4f} m" if abs(value) >= 1e-3 or value == 0.0 else f"{value:.2g} m"
+
+
+def _lost(plan: Plan, verification: Verification) -> str:
+    lost = cost_lost(plan, verification)
+    if lost is None or not plan.cost:
+        return "unknown"
+    return f"about {lost:.2g}, {100.0 * lost / plan.cost:.2g} %"
+
+
+def _controls(plan: Plan) -> str:
+    own = plan.phases[0].vehicles[0]
+    longest = max(segment.t1_s - segment.t0_s for segment in own.segments)
+    return CONTROLS.get(own.control_interpolation, own.control_interpolation).format(longest)
 
 
 def _share(value: float | None) -> str:

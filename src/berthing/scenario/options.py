@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from berthing.errors import InputError
 
 EFFORTS = ("fast", "normal", "thorough")
+POLYNOMIAL = "polynomial"
+CONTROLS = (POLYNOMIAL, "piecewise-linear", "piecewise-constant")
+"""As optimised, or as flight computers fly them: linear or held from sample to sample."""
 
 
 @dataclass(frozen=True)
@@ -20,14 +23,16 @@ class SolverOptions:
         time_limit_s: wall time allowed; None for no limit.
         seed: of the guesses.
         guess: where first trajectories come from, ``default`` or ``paper-continuation``.
+        controls: what flies between samples of the controls, one of ``CONTROLS``.
+        sample_time_s: between them, where they are piecewise.
         tolerance: drift of the lower Hamiltonian, relative to its mean, down to which the mesh is
             refined about the touches; None leaves the first certified plan as it is.
         effort: how many guesses are solved and how many answers refined: ``fast``, ``normal`` or
             ``thorough``. It counts guesses, not seconds, so that every machine tries the same.
 
     Raises:
-        InputError: fewer than two nodes, a time limit or a tolerance not positive, a negative
-            seed, an unknown effort.
+        InputError: fewer than two nodes, a time limit, a tolerance or a sample time not positive,
+            a negative seed, unknown controls or an unknown effort.
     """
 
     formulation: str = "plane"
@@ -38,6 +43,8 @@ class SolverOptions:
     guess: str = "default"
     tolerance: float | None = None
     effort: str = "normal"
+    controls: str = POLYNOMIAL
+    sample_time_s: float = 1.0
 
     def __post_init__(self) -> None:
         if self.nodes is not None and self.nodes < 2:
@@ -46,6 +53,10 @@ class SolverOptions:
             raise InputError("time_limit_s", f"is {self.time_limit_s}", "a positive number")
         if self.tolerance is not None and not self.tolerance > 0.0:
             raise InputError("tolerance", f"is {self.tolerance}", "a positive number")
+        if self.controls not in CONTROLS:
+            raise InputError("controls", f"are {self.controls!r}", ", ".join(CONTROLS))
+        if not self.sample_time_s > 0.0:
+            raise InputError("sample_time_s", f"is {self.sample_time_s}", "a positive number")
         if self.seed < 0:
             raise InputError("seed", f"is {self.seed}", "0 or more")
         if self.effort not in EFFORTS:

@@ -28,7 +28,8 @@ SCHEMA_VERSION = 1
 HOW_TO_READ = (
     "On [t0_s, t1_s] a component is sum_k c[k][component] T_k(s), T_k the Chebyshev polynomials "
     "of the first kind and s = (2 t - t0_s - t1_s)/(t1_s - t0_s). Columns are in the order of "
-    "state_names and control_names."
+    "state_names and control_names. The controls are what flies: on a segment they are, as "
+    "control_interpolation says, polynomials, linear or constant."
 )
 
 

@@ -119,6 +119,7 @@ def _read(folder: Path, trust: bool) -> _Folder:
         whole(record, "iterations", where),
         whole(record, "seed", where),
         _backoff(record, where),
+        cost_per_margin=_slope(record, where),
     )
     sha256, said = _sha256(document, where), {INTERPOLANT_JSON: interpolant.scenario_sha256}
     if "scenario_sha256" in record:
@@ -131,6 +132,12 @@ def _backoff(record: Mapping[str, Any], where: str) -> float:
     if not isinstance(verification, dict):
         raise InputError(f"{where}.verification", "is not an object")
     return number(verification, "backoff_m", f"{where}.verification")
+
+
+def _slope(record: Mapping[str, Any], where: str) -> float | None:
+    """Recorded, not checked."""
+    key = "cost_per_margin"
+    return None if record.get(key) is None else number(record, key, where)
 
 
 def _sha256(document: Mapping[str, Any], where: str) -> str:

@@ -53,7 +53,8 @@ class Shown:
     def rows(self) -> list[Row]:
         """The verdict table."""
         timed = replace(self.plan, wall_time_s=self.stages_s)
-        return [headline(self.outcome), *verification_rows(self.verification), *plan_rows(timed)]
+        found = self.verification
+        return [headline(self.outcome), *verification_rows(found), *plan_rows(timed, found)]
 
 
 def shown_folder(folder: Path, label: str, *, trust: bool = False) -> Shown:

@@ -73,6 +73,8 @@ class SolverBlock(Block):
     seed: Annotated[Whole, Field(ge=0)] = 0
     guess: Name = "default"
     tolerance: Positive | None = None
+    controls: Literal["polynomial", "piecewise-linear", "piecewise-constant"] = "polynomial"
+    sample_time_s: Positive = 1.0
     shape_model: ShapeModelBlock | None = None
     effort: Literal["fast", "normal", "thorough"] = "normal"
 
