@@ -35,10 +35,18 @@ def cone_rows(form: ConicForm, columns: int, first: int) -> tuple[Any, Any, list
 
 def solved(cost: Array, rows: Array, offsets: Array, cones: list[Any]) -> float:
     """min cost·z with R z + o in K, by Clarabel."""
+    return solution(cost, rows, offsets, cones)[0]
+
+
+def solution(
+    cost: Array, rows: Array, offsets: Array, cones: list[Any], tolerance: float = 1e-8
+) -> tuple[float, Array]:
+    """min cost·z with R z + o in K and the z that attains it, by Clarabel."""
     settings = clarabel.DefaultSettings()
     settings.verbose = False
+    settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = tolerance
     count = len(cost)
     problem = sparse.csc_matrix(-rows), offsets, cones, settings
     answer = clarabel.DefaultSolver(sparse.csc_matrix((count, count)), cost, *problem).solve()
     assert answer.status == clarabel.SolverStatus.Solved
-    return float(answer.obj_val)
+    return float(answer.obj_val), np.array(answer.x)

@@ -131,11 +131,15 @@ def mesh(shape: ConvexSet) -> Mesh:
     raise _lacks(shape, "mesh", HasMesh)
 
 
+def kinds_with(*protocols: type) -> str:
+    """Names of the loaded kinds of set that have one of these capabilities, as errors list them."""
+    able = {kind.__name__ for kind in _kinds(ConvexSet) if issubclass(kind, protocols)}
+    return ", ".join(sorted(able)) or "none"
+
+
 def _lacks(shape: ConvexSet, what: str, protocol: type) -> CapabilityError:
-    able = sorted({kind.__name__ for kind in _kinds(ConvexSet) if issubclass(kind, protocol)})
     return CapabilityError(
-        f"{type(shape).__name__} has no {what}; those loaded that have one: "
-        + (", ".join(able) or "none")
+        f"{type(shape).__name__} has no {what}; those loaded that have one: {kinds_with(protocol)}"
     )
 
 

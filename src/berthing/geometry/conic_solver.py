@@ -41,11 +41,12 @@ class Optimum:
     Attributes:
         point: (k, size) in metres; members, to rounding.
         dual: (k,): no member has a lower objective than this, in metres.
-        cone_dual: multipliers of the cones (k, cones, p).
+        line_dual, cone_dual: multipliers of the half-lines (k, m) and of the cones (k, cones, p).
     """
 
     point: Array
     dual: Array
+    line_dual: Array
     cone_dual: Array
 
 
@@ -226,7 +227,7 @@ def _optimum(v: _State) -> Optimum:
     left = v.c + line_y @ p.line_G + np.einsum("kbpi,kbp->ki", p.cone_G, cone_y)
     dual = -line_y @ p.line_h - np.sum(cone_y * p.cone_h, axis=(-1, -2))
     dual -= np.linalg.norm(left, axis=-1) * p.reach
-    return Optimum(v.z * p.unit, dual * p.unit, cone_y)
+    return Optimum(v.z * p.unit, dual * p.unit, line_y, cone_y)
 
 
 def _take(batch: Any, index: Any) -> Any:

@@ -20,6 +20,7 @@ class Standard:
             A leading batch axis may be there.
         unit: length that is 1 in z, in metres.
         reach: no z of the set is longer than this many units.
+        line_scale, cone_scale: what the form's own rows were divided by (m,) and (cones,).
     """
 
     line_G: Array
@@ -28,6 +29,8 @@ class Standard:
     cone_h: Array
     unit: float
     reach: float
+    line_scale: Array
+    cone_scale: Array
 
     def with_cone(self, G: Array, h: Array) -> Standard:
         """With one more cone, G (..., p, size) and h (..., p), which may differ in a batch."""
@@ -53,25 +56,32 @@ def standard(form: ConicForm, unit: float, longest: float | None = None) -> Stan
         unit: about the set's size, in metres.
         longest: no coordinate of z is longer, in metres; ``unit`` if not given.
     """
-    flat = [b for b in form.blocks if b.slope is None and len(b.b) == 1]
-    round_ = [b for b in form.blocks if b.slope is not None or len(b.b) > 1]
+    flat = [b for b in form.blocks if is_flat(b)]
+    round_ = [b for b in form.blocks if not is_flat(b)]
     rows = [form.linear_A, *(sign * b.A for b in flat for sign in (1.0, -1.0))]
     offsets = [form.linear_b, *(b.head - sign * b.b for b in flat for sign in (1.0, -1.0))]
     line_G, line_h = np.concatenate(rows) * unit, np.concatenate(offsets)
     scale = np.linalg.norm(line_G, axis=1)
-    cone_G, cone_h = _stacked(round_, form.size, unit)
+    cone_G, cone_h, cone_scale = _stacked(round_, form.size, unit)
     reach = np.sqrt(form.size) * (unit if longest is None else longest) / unit
-    return Standard(line_G / scale[:, None], line_h / scale, cone_G, cone_h, unit, reach)
+    line_G, line_h = line_G / scale[:, None], line_h / scale
+    return Standard(line_G, line_h, cone_G, cone_h, unit, reach, scale, cone_scale)
 
 
-def _stacked(blocks: list[SecondOrderBlock], size: int, unit: float) -> tuple[Array, Array]:
-    """Blocks as cones (cones, p, size), (cones, p), each divided by its largest row."""
+def is_flat(block: SecondOrderBlock) -> bool:
+    """Whether a block is a slab, which two half-spaces say as well."""
+    return block.slope is None and len(block.b) == 1
+
+
+def _stacked(blocks: list[SecondOrderBlock], size: int, unit: float) -> tuple[Array, Array, Array]:
+    """Blocks as cones (cones, p, size), (cones, p), and their largest rows, they are divided by."""
     p = 1 + max((len(block.b) for block in blocks), default=1)
     G, h = np.zeros((len(blocks), p, size)), np.zeros((len(blocks), p))
+    scales = np.ones(len(blocks))
     for i, block in enumerate(blocks):
         rows = 1 + len(block.b)
         G[i, 0] = 0.0 if block.slope is None else -unit * block.slope
         G[i, 1:rows], h[i, 0], h[i, 1:rows] = -unit * block.A, block.head, block.b
-        scale = np.max(np.linalg.norm(G[i], axis=-1))
-        G[i], h[i] = G[i] / scale, h[i] / scale
-    return G, h
+        scales[i] = np.max(np.linalg.norm(G[i], axis=-1))
+        G[i], h[i] = G[i] / scales[i], h[i] / scales[i]
+    return G, h, scales

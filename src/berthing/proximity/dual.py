@@ -21,12 +21,16 @@ from scipy.optimize import nnls
 
 from berthing.errors import CapabilityError
 from berthing.geometry.arrays import Array
-from berthing.geometry.capability import HasConicForm, HasHalfspaces, HasVertices
+from berthing.geometry.capability import HasHalfspaces, HasVertices
 from berthing.geometry.conic_form import ConicForm
 from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.pose import Pose
 from berthing.proximity.formulation import PairFormulation, Rows, SymPose, Variables
-from berthing.proximity.support_epigraph import BlockEpigraph, support_epigraph
+from berthing.proximity.support_epigraph import (
+    BlockEpigraph,
+    known_conic_form,
+    support_epigraph,
+)
 from berthing.sym import Sym
 
 ACTIVE = 1e-9
@@ -121,7 +125,8 @@ def multipliers(shape: ConvexSet) -> Multipliers:
     if isinstance(shape, HasHalfspaces) and isinstance(shape, HasVertices):
         A, b = shape.halfspaces()
         return FaceMultipliers(A, b, shape.vertices())
-    if isinstance(shape, HasConicForm) and _is_plain(shape.conic_form()):
+    form = known_conic_form(shape)
+    if form is not None and _is_plain(form):
         epigraph = support_epigraph(shape)
         if isinstance(epigraph, BlockEpigraph):
             return ConeMultipliers(epigraph)

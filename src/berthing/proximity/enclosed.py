@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import casadi as ca
+import numpy as np
 
+from berthing.errors import CapabilityError
 from berthing.geometry.arrays import Array
 from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.enclosing import Enclosure, enclosing_ball, enclosing_ellipsoid
@@ -24,6 +26,12 @@ class EnclosedFormulation(PairFormulation):
     def __init__(
         self, a: ConvexSet, b: ConvexSet, enclose: Callable[[ConvexSet], Enclosure]
     ) -> None:
+        for shape in (a, b):
+            if not np.isfinite(shape.bounding_radius):
+                raise CapabilityError(
+                    f"nothing encloses a {type(shape).__name__}, which has no bounds; `plane` and "
+                    "`kkt` take it, and this form any bounded set, such as a Box"
+                )
         self.a, self.b = enclose(a), enclose(b)
         self.plane = PlaneFormulation(self.a.shape, self.b.shape)
         self.variables = self.plane.variables
