@@ -12,10 +12,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
 from berthing.proximity.level_functions import LevelFunctions
+
+Mask = npt.NDArray[np.bool_]
 
 ITERATIONS = 100
 """Polytopes take 10 to 20, functions that bend sharply up to 60."""
@@ -88,10 +91,14 @@ def closest_points(
         return ClosestPoints(s, s, s, s, np.zeros(len(s)))
     slack = -problem.functions(s)[0]
     point = problem.at(s, slack, 0.1 / slack)
+    done = np.zeros(len(s), dtype=bool)
     for _ in range(ITERATIONS):
-        if np.all(_largest(point.residual(mu)) < TOLERANCE):
+        done |= _largest(point.residual(mu)) < TOLERANCE
+        if np.all(done):
             break
-        point = problem.step(point, mu)
+        point, stuck = problem.step(point, mu, done)
+        # Rounding leaves nothing to gain: the next step would be the same.
+        done |= stuck
     y = point.y
     return ClosestPoints(
         point.s[:, : a.dim], point.s[:, a.dim :], y[:, : a.count], y[:, a.count :],
@@ -144,20 +151,24 @@ class _Problem:
         pull = 2.0 / self.unit_m2 * _times(np.swapaxes(self.slope, 1, 2), delta)
         return _Point(s, slack, y, pull + _times(np.swapaxes(J, 1, 2), y), f + slack, J)
 
-    def step(self, point: _Point, mu: Array) -> _Point:
-        """A damped Newton step on every problem, as long as it may be."""
+    def step(self, point: _Point, mu: Array, done: Mask) -> tuple[_Point, Mask]:
+        """A damped Newton step on every problem that is not done, as long as it may be.
+
+        And which of them found no step that gains.
+        """
         mu = np.maximum(mu, CENTRING * np.mean(point.slack * point.y, axis=1, keepdims=True))
         ds, d_slack, dy = self._direction(point, mu)
         before = _length(point.residual(mu))
         alpha = np.minimum(_reach(point.slack, d_slack), _reach(point.y, dy))
+        alpha[done] = 0.0
         for _ in range(HALVINGS):
             a = alpha[:, None]
             new = self.at(point.s + a * ds, point.slack + a * d_slack, point.y + a * dy)
-            worse = _length(new.residual(mu)) > (1.0 - DECREASE * alpha) * before
+            worse = (_length(new.residual(mu)) > (1.0 - DECREASE * alpha) * before) & ~done
             if not worse.any():
                 break
             alpha = np.where(worse, 0.5 * alpha, alpha)
-        return new
+        return new, np.asarray(worse)
 
     def _direction(self, point: _Point, mu: Array) -> tuple[Array, Array, Array]:
         """Newton's step in s, slack and y."""
