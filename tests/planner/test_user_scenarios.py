@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from berthing.planner import plan
 from berthing.result import CERTIFIED, Result
 from berthing.scenario.cost import Cost, RunningCost
+from berthing.scenario.files import load
 from berthing.scenario.path_constraint import PathConstraint
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.user_function import UserFunction
@@ -17,6 +19,7 @@ from support import users
 from support.documents import DURATION_S, box, puck, scenario, spacecraft, structure
 
 WALL = structure("wall", [5, -2, 0], box(1, 5, 3))
+ROVER = Path(__file__).parents[2] / "examples" / "rover" / "rover.yaml"
 HULL = [{"name": "hull", "shape": box(2, 1, 1)}]
 
 
@@ -71,6 +74,20 @@ def test_a_twin_of_the_rigid_body_costs_what_it_does():
     assert own.verification is not None
     assert own.verification.model_check == "same_source"
     assert own.verification.clearance_lower_bound_m >= 0.1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(8))
+def test_the_rover_of_the_examples_holds_its_wheels_between_the_nodes_too(seed):
+    given = load(ROVER)
+    result = plan(given, options=replace(given.solver, seed=seed))
+    assert result.outcome == CERTIFIED, (result.advice, result.attempts)
+    assert result.plan is not None
+    own = result.plan.phases[0].vehicle("rover")
+    x = own.state(np.linspace(own.t0_s, own.t1_s, 5001))
+    pull = np.abs(x[:, 3] ** 2 * np.tan(x[:, 4]))
+    # The constraint acts, and is kept to its tolerance.
+    assert 0.0598 < np.max(pull) <= 0.06 + 1e-4
 
 
 @pytest.mark.slow

@@ -36,11 +36,15 @@ class Solved:
 
 
 def posed(
-    scenario: Scenario, segments: int = 4, degree: int = 4, sites: list[Site] | None = None
+    scenario: Scenario,
+    segments: int = 4,
+    degree: int = 4,
+    sites: list[Site] | None = None,
+    scheme: str = "lgr",
 ) -> Problem:
     """The programme of the first phase, rows at all nodes where no ``sites`` are given."""
     phase = scenario.phases[0]
-    mesh = Mesh.uniform("lgr", segments, degree)
+    mesh = Mesh.uniform(scheme, segments, degree)
     if sites is None:
         sites = node_sites(mesh, len(scenario.pairs(phase)))
     return build(scenario, phase, mesh, sites, "plane")
@@ -65,9 +69,10 @@ def solved(
     guess: int = 0,
     sites: list[Site] | None = None,
     iterations: int = 300,
+    scheme: str = "lgr",
 ) -> Solved:
     """The solver's answer from a guess, whatever its status."""
-    problem = posed(scenario, segments, degree, sites)
+    problem = posed(scenario, segments, degree, sites, scheme)
     solver = Solver.build(problem, "cold", Budget(iterations))
     outcome = solver.solve(scenario, start_of(problem, guess), backoff_m=BACKOFF_M)
     return Solved(problem, outcome)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 
 from berthing.verify.optimality import hamiltonian, relative_drift
-from support.documents import puck, scenario, spacecraft
+from support.documents import puck, scenario
 from support.solving import solved
 
 MASS_KG, DISTANCE_M, DURATION_S = 3.0, 10.0, 100.0
@@ -99,29 +97,3 @@ def test_a_horizon_held_short_has_a_hamiltonian_below_zero() -> None:
     assert found.outcome.motion.duration_s == pytest.approx(100.0, abs=1e-5)
     _, values = hamiltonian(found.problem.phase, found.nodes)
     assert np.max(values) < -0.5 * price
-
-
-TURNING = spacecraft(
-    dynamics={
-        "model": "rigid-body", "mass_kg": 3, "inertia_kg_m2": [4, 5, 6],
-        "first_moment_kg_m": [0.6, 0.3, 0],
-    },
-    goal={"position_m": [4, 1, 0], "attitude": [0.5, 0.5, 0.5, 0.5]},
-)  # fmt: skip
-"""Turning by 120° with the centre of mass off the reference point couples everything."""
-
-
-@pytest.fixture(scope="module")
-def turning_exact() -> float:
-    return solved(scenario(TURNING), 4, 9).outcome.cost
-
-
-def test_the_error_of_a_smooth_problem_falls_with_the_degree(turning_exact) -> None:
-    errors = []
-    for degree in (3, 4, 5, 6):
-        found = solved(scenario(TURNING), 2, degree)
-        assert found.outcome.solved
-        errors.append(abs(found.outcome.cost / turning_exact - 1.0))
-    assert errors[0] > 1e-5
-    assert errors[-1] < 1e-3 * errors[0]
-    assert all(later < 0.3 * earlier for earlier, later in pairwise(errors)), errors

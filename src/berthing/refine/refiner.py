@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -219,11 +219,24 @@ class Refiner:
         )
         start = Start(motion, exact_normals(problem.pairs))
         outcome = solver.solve(self.scenario, start, backoff_m=BACKOFF_M, previous=previous)
-        if outcome.solved or len(problem.homotopy) < 2:
+        if outcome.solved:
             return outcome
+        if len(problem.homotopy) < 2:
+            return outcome if preset is not None else self._again(problem, start, outcome)
         budget = Budget(ITERATIONS, max(self.deadline - time.monotonic(), 0.1))
         return solve_by_stages(
             problem, self.scenario, start, preset="near", budget=budget, backoff_m=BACKOFF_M
+        )
+
+    def _again(self, problem: Problem, start: Start, failed: Outcome) -> Outcome:
+        """From the same motion with a barrier that begins high: slower, and of longer breath."""
+        left = max(self.deadline - time.monotonic(), 0.1)
+        solver = Solver.build(problem, "cold", Budget(ITERATIONS, left))
+        outcome = solver.solve(self.scenario, start, backoff_m=BACKOFF_M)
+        return replace(
+            outcome,
+            iterations=failed.iterations + outcome.iterations,
+            wall_time_s=failed.wall_time_s + outcome.wall_time_s,
         )
 
     def sample(self, problem: Problem, motion: Motion) -> SampledClearance:

@@ -3,6 +3,10 @@
 Where g does not depend on the control it is asked once at every point of the state; asked of both
 segments that share the point it would make two equal rows. Elsewhere it is asked at the collocated
 nodes, and at a segment's end with the control that its polynomial has there.
+
+Between the nodes a row that acts bulges above what it is at them. As clearance is planned with a
+back-off, so rows are asked to lie below zero by a share of their tolerance, except at the two ends
+of the phase: there the scenario may fix a state that lies on zero exactly.
 """
 
 from __future__ import annotations
@@ -21,6 +25,10 @@ from berthing.transcription.inputs import Inputs
 from berthing.transcription.lagrange import interpolation_matrix
 from berthing.transcription.layout import PhaseLayout, VehicleLayout
 from berthing.transcription.nodes import collocated, declare_node, node_values
+
+BACKOFF = 1.0
+"""Of a constraint's tolerance: how far below zero its rows are asked to be. Together with the
+tolerance itself a row may bulge by two of them between the nodes."""
 
 
 def add_path_constraints(layout: PhaseLayout) -> None:
@@ -93,11 +101,15 @@ def _rows(
     g: Sym,
     fractions: Sequence[float],
 ) -> Index:
-    """Rows (n, m) at or below zero, at n fractions of the phase."""
+    """Rows (n, m), at n fractions of the phase; below zero by the back-off except at its ends."""
     m = g.numel()
+    backoff = BACKOFF * constraint.tolerance / constraint.scale
+    upper = [0.0 if fraction in (0.0, 1.0) else -backoff for fraction in fractions]
     times = [layout.nominal_time(fraction) for fraction in fractions]
     label = partial(_label, owner.vehicle.name, constraint.name, m, times)
-    rows = layout.rows.add(m * len(times), -np.inf, 0.0, label, unit_scale=constraint.scale)
+    rows = layout.rows.add(
+        m * len(times), -np.inf, np.repeat(upper, m), label, unit_scale=constraint.scale
+    )
     return rows.reshape(len(times), m)
 
 

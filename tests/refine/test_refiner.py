@@ -1,0 +1,22 @@
+"""Rounds of the refinement."""
+
+from __future__ import annotations
+
+import pytest
+
+from berthing.planner import plan
+from berthing.result import CERTIFIED
+from berthing.solve import ipopt
+from support.documents import box, puck, scenario, structure
+
+
+def test_a_round_that_fails_is_tried_again_with_a_high_barrier(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(ipopt.PRESETS, "near", {"max_iter": 1})
+    result = plan(scenario(puck(), structures=[structure("low", [3, -1.0], box(0.5, 2.5))]))
+    assert result.outcome == CERTIFIED
+    (first, *_) = [a for a in result.attempts if "round 1" in a.guess]
+    assert first.outcome == "solved"
+    # Those of both solves are counted.
+    assert first.iterations > 5
