@@ -356,6 +356,32 @@ def compare_command(
     raise typer.Exit(guarded(work))
 
 
+@app.command("reproduce")
+def reproduce_command(
+    out: Annotated[
+        Path, typer.Option(metavar="DIR", help="An empty folder, or one that is not there yet.")
+    ] = Path("reproduction"),
+) -> None:
+    """Make every figure of the paper anew, and a table of its claims with what was found.
+
+    Takes a minute or two: Scenarios A and B are planned, in the paper's form and as printed.
+
+    **Exit code:** 0 written · 2 bad usage or input · 130 interrupted
+
+    **Examples**
+
+    - `berthing reproduce`
+    - `berthing reproduce --out /tmp/paper`
+    """
+
+    def work() -> int:
+        from berthing.commands.reproducing import run
+
+        return run(out)
+
+    raise typer.Exit(guarded(work))
+
+
 @app.command("scenarios")
 def scenarios_command(as_json: AsJson = False) -> None:
     """List the cases that ship; any of these names will do as SCENARIO.

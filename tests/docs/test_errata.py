@@ -5,14 +5,17 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import casadi as ca
 import numpy as np
 import pytest
 
 import berthing as bt
 from berthing.clearance.separation import PairQuery, separation
 from berthing.geometry import quaternion
+from berthing.geometry.ellipsoid import Ellipsoid
 from berthing.geometry.polytope import Polytope
 from berthing.geometry.pose import Pose
+from berthing.proximity.formulations import formulate
 
 ROOT = Path(__file__).parents[2]
 
@@ -157,6 +160,49 @@ def test_10_the_index_depends_on_the_unit_of_length() -> None:
     in_millimetres = [np.sum((u * [1, 1e3]) ** 2) for u in (push, turn)]
     assert in_metres[0] > in_metres[1]
     assert in_millimetres[0] < in_millimetres[1]
+
+
+@pytest.mark.parametrize(("name", "regular"), [("kkt", True), ("kkt-complementarity", False)])
+def test_15_products_of_multiplier_and_function_are_degenerate(name: str, regular: bool) -> None:
+    """Rank of the active rows at the closest points of two ellipsoids."""
+    form = formulate(name, Ellipsoid([1.0, 2, 0.5]), Ellipsoid([0.7, 0.8, 1.5]))
+    a, b = Pose.identity(3), Pose(np.array([2.5, 1.5, 1.0]), np.eye(3))
+    (start,) = form.start(
+        Pose(a.position[None], a.rotation[None]), Pose(b.position[None], b.rotation[None]),
+        np.array([[0.8, 0.5, 0.33]]) / np.linalg.norm([0.8, 0.5, 0.33]),
+    )  # fmt: skip
+    v = ca.SX.sym("v", len(form.variables))
+    poses = [(ca.DM(pose.position), ca.DM(pose.rotation)) for pose in (a, b)]
+    rows = form.rows(v, poses[0], poses[1], 0.1, 1.0)
+    values, slopes = ca.Function(
+        "at", [v], [rows.expression, ca.jacobian(rows.expression, v)]
+    )(start)  # fmt: skip
+    found = np.asarray(values).ravel()
+    nearest = np.minimum(np.abs(found - rows.lower), np.abs(found - rows.upper))
+    active = [i for i in np.flatnonzero(nearest < 1e-6) if i != rows.separation]
+    # Eight conditions for eight variables hold at once, and with products two more.
+    assert len(active) == (8 if regular else 10)
+    rank = int(np.linalg.matrix_rank(np.asarray(slopes)[active], tol=1e-6))
+    assert (rank == len(active)) is regular
+
+
+PAPER_LABELS = (
+    "dyn", "gen-const", "cost-func", "org-colavoid", "ocp", "ocp-min", "ocp-init-term-cond",
+    "ocp-dyn", "ocp-const", "ocp-colavoid", "dist-opt", "set-def", "rot-trans", "c-func", "setC",
+    "d-func", "setD-ex", "d-func2", "d-func3", "setD-app", "prop2", "pm-ocp", "prop3", "fd-ocp",
+    "diff-cond-ocp", "d-safe-ocp", "pos-vel-sc", "lagrange-eqs-m", "objective-u", "scenA-models",
+    "inertial-sc", "inertial-st",
+)  # fmt: skip
+"""Every equation that the paper labels."""
+
+
+def test_every_labelled_equation_of_the_paper_is_there() -> None:
+    text = (ROOT / "docs" / "equations.md").read_text()
+    rows = [line for line in text.splitlines() if line.startswith("| ")]
+    for label in PAPER_LABELS:
+        (row, *_) = [r for r in rows if f"({label})" in r.split("|")[1]] or [""]
+        assert "`tests/" in row, label
+        assert "`berthing." in row, label
 
 
 def test_every_test_that_the_docs_name_exists() -> None:

@@ -14,9 +14,10 @@ import pytest
 
 from berthing.planner import plan
 from berthing.report.folder import write_result
-from berthing.scenario.files import library, load
+from berthing.scenario.files import load
 from berthing.verify.folder import verify_folder
 from support import hand_made
+from support.shipped import to_be_certified
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CHECK, FLY = (
@@ -139,7 +140,7 @@ def test_a_message_and_no_traceback(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", library())
+@pytest.mark.parametrize("name", to_be_certified())
 def test_shipped_plans(name: str, tmp_path: Path) -> None:
     scenario = load(name)
     result = plan(scenario)
