@@ -6,13 +6,14 @@ import pytest
 
 from berthing.planner import plan
 from berthing.result import CERTIFIED
-from berthing.solve import ipopt
+from berthing.solve import ipopt, quick
 from support.documents import box, puck, scenario, structure
 
 
 def test_a_round_that_fails_is_tried_again_with_a_high_barrier(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(quick, "ITERATIONS", 1)
     monkeypatch.setitem(ipopt.PRESETS, "near", {"max_iter": 1})
     result = plan(scenario(puck(), structures=[structure("low", [3, -1.0], box(0.5, 2.5))]))
     assert result.outcome == CERTIFIED

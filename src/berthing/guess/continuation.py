@@ -1,14 +1,14 @@
 """The paper's initial guess: one part in the way at a time, then all the answers superposed.
 
-"The full problem in the given scenario was broken down into more straightforward problems where
-the optimal trajectory was generated in the presence of only one component of the target structure
-in each sub-problem. Afterward, the obtained solutions were superimposed together to form an
-initial guess" (its Discussion). We read that as follows. X₀ is the answer with nothing in the
+The paper's Discussion solves a sub-problem for each component of the structure and superimposes
+the answers, and leaves the rest open. We read it as follows. X₀ is the answer with nothing in the
 way, from a straight line; X_i the answer with part i alone, from X₀; and the guess is
 X₀ + Σ (X_i − X₀), the sum of what each part asks for. Translation is linear in the controls, so
-that the sum is a motion again; quaternions are normalised. A sub-problem without an answer adds
-nothing. (Of two parts that ask for the same detour the sum makes it twice as wide, which clears
-both; their mean would halve what one of them asks for alone.)
+that the sum is a motion again; quaternions are normalised. (Of two parts that ask for the same
+detour the sum makes it twice as wide, which clears both; their mean would halve what one of them
+asks for alone.) A sub-problem without an answer is begun again from X₀ bowed to a random side: a
+line through the middle of a part leaves the solver undecided between its sides. If it still has
+none it adds nothing.
 """
 
 from __future__ import annotations
@@ -33,6 +33,9 @@ from berthing.transcription.sites import node_sites
 
 BEND = 0.1
 """Of the way's length: by how much a seed other than 0 bows the obstacle-free answer."""
+
+AGAIN = 2
+"""Further starts of a sub-problem without an answer."""
 
 QUATERNION = ("qw", "qx", "qy", "qz")
 
@@ -73,6 +76,10 @@ class Continuation:
         for name, pairs in self._components().items():
             begin = bowed(free, self.phase, self.mesh, rng) if seed else free
             answer = self._answer(f"only {name}", pairs, begin)
+            for _ in range(AGAIN):
+                if answer is None:
+                    begin = bowed(free, self.phase, self.mesh, rng)
+                    answer = self._answer(f"only {name}, bowed", pairs, begin)
             if answer is not None:
                 answers.append(answer)
         return superposed(free, answers, self.phase)
