@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from berthing.geometry.pose import Pose
     from berthing.geometry.sphere import Sphere
     from berthing.planner import plan
+    from berthing.replanning import Planner
     from berthing.scenario.attitude import AxisAttitude, FixedAttitude, FreeAttitude
     from berthing.scenario.cost import Cost, RunningCost
     from berthing.scenario.files import from_document, load
@@ -62,6 +63,7 @@ __all__ = [
     "Part",
     "PathConstraint",
     "Phase",
+    "Planner",
     "PointMass",
     "Polytope",
     "Pose",
@@ -88,6 +90,7 @@ _HOMES = {
     "plan": "berthing.planner",
     "distance": "berthing.clearance.placed_distance",
     "SignedDistance": "berthing.clearance.signed_distance",
+    "Planner": "berthing.replanning",
     "load": "berthing.scenario.files",
     "from_document": "berthing.scenario.files",
     "verify_folder": "berthing.verify.folder",

@@ -21,7 +21,7 @@ from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import POLYNOMIAL, SolverOptions
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
-from berthing.solve.ipopt import Budget, Start
+from berthing.solve.ipopt import Answer, Budget, Start
 from berthing.solve.outcome import ADVICE, Outcome
 from berthing.solve.parallel import SolvePool
 from berthing.solve.quick import QuickSolver
@@ -67,6 +67,16 @@ def plan(
         CapabilityError: a shape that the formulation cannot take.
         KeyboardInterrupt: Ctrl-C; nothing is kept.
     """
+    return plan_with_answer(scenario, options=options, progress=progress)[0]
+
+
+def plan_with_answer(
+    scenario: Scenario,
+    *,
+    options: SolverOptions | None = None,
+    progress: Progress | None = None,
+) -> tuple[Result, Answer | None]:
+    """As ``plan``; and the solve that the plan came from, to go on from."""
     work = _Work(scenario, options or scenario.solver, progress or (lambda event: None))
     check_planned(work.options.formulation)
     with work.stage("check"):
@@ -90,7 +100,7 @@ def plan(
     if best is not None and work.options.controls != POLYNOMIAL:
         with work.stage("controls"):
             work.fly(best)
-    return work.result(best)
+    return work.result(best), None if best is None else best.answer
 
 
 @dataclass

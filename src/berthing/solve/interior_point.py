@@ -133,7 +133,9 @@ class InteriorPoint:
         """Solve from x (n,), and from multipliers of the rows (m,) where there are any."""
         self._evaluation.at(parameters)
         run = _Run(self._evaluation, self._bounds, self._matrix, settings)
-        return run.run(x, multipliers)
+        with np.errstate(all="ignore"):
+            # A step may leave where things are defined; the filter takes no such point.
+            return run.run(x, multipliers)
 
 
 class _Run:

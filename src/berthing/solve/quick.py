@@ -52,6 +52,12 @@ class QuickSolver:
     tolerance: float = TOLERANCE
     falls_back: bool = True
 
+    def allowed(self, preset: str, budget: Budget) -> QuickSolver:
+        """The same solver, not built again, with another preset and budget."""
+        other = replace(self, preset=preset, budget=budget)
+        other.__dict__["own"] = self.own
+        return other
+
     @property
     def quick(self) -> bool:
         """Whether our own method is for this problem: planes it is good at, while closest points
