@@ -1,0 +1,111 @@
+"""Scenario A from no guess, verification included; and ``kkt-complementarity`` from the same guess.
+
+Times are of ``berthing.plan`` in one process after the imports, and of whole processes with figures
+and page. The paper's form is solved by IPOPT on the planner's coarse mesh from the planner's first
+guess, to its last relaxation, without refinement or verification, which only favours it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from statistics import median
+
+import berthing as bt
+from berthing.guess.candidates import candidates
+from berthing.guess.normals import exact_normals
+from berthing.guess.path import motion_along
+from berthing.planner import COARSE_SEGMENTS, DEGREE
+from berthing.refine.refiner import BACKOFF_M
+from berthing.solve.homotopy import solve_by_stages
+from berthing.solve.ipopt import Budget, Start
+from berthing.transcription.mesh import Mesh
+from berthing.transcription.problem import build
+from berthing.transcription.sites import node_sites
+
+CASE = "scenario-a"
+REFERENCE_BUDGET = Budget(1500, 60.0)
+
+
+def inside(seed: int) -> dict:
+    """One plan in this process."""
+    scenario = bt.load(CASE)
+    began = time.perf_counter()
+    result = bt.plan(scenario, options=bt.SolverOptions(seed=seed))
+    seconds = time.perf_counter() - began
+    cost = result.plan.cost if result.plan else None
+    stages = dict(result.plan.wall_time_s) if result.plan else {}
+    return {"kind": "in process", "seed": seed, "outcome": result.outcome,
+            "seconds": round(seconds, 3), "cost": cost,
+            "stages": {k: round(v, 3) for k, v in stages.items()}}  # fmt: skip
+
+
+def whole(seed: int) -> dict:
+    """One plan as a process of its own."""
+    with tempfile.TemporaryDirectory() as scratch:
+        command = [sys.executable, "-m", "berthing", "plan", CASE, "--seed", str(seed)]
+        began = time.perf_counter()
+        done = subprocess.run(
+            [*command, "--out", f"{scratch}/plan"], capture_output=True, check=False
+        )
+        seconds = time.perf_counter() - began
+    return {"kind": "whole process", "seed": seed, "exit": done.returncode,
+            "seconds": round(seconds, 3)}  # fmt: skip
+
+
+def reference() -> dict:
+    """``kkt-complementarity`` from the first guess, nodes only."""
+    scenario = bt.load(CASE)
+    (phase,) = scenario.phases
+    mesh, pairs = Mesh.uniform("lgr", COARSE_SEGMENTS, DEGREE), scenario.pairs(phase)
+    began = time.perf_counter()
+    problem = build(scenario, phase, mesh, node_sites(mesh, len(pairs)), "kkt-complementarity")
+    guess = candidates(scenario, phase, 0)[0]
+    start = Start(
+        motion_along(guess, phase, mesh, phase.horizon.nominal_s), exact_normals(pairs)
+    )
+    outcome = solve_by_stages(
+        problem, scenario, start, preset="cold", budget=REFERENCE_BUDGET, backoff_m=BACKOFF_M
+    )
+    return {"kind": "kkt-complementarity", "guess": guess.name, "outcome": outcome.status,
+            "iterations": outcome.iterations, "cost": outcome.cost,
+            "seconds": round(time.perf_counter() - began, 3)}  # fmt: skip
+
+
+def table(rows: list[dict]) -> str:
+    """A line a kind."""
+    lines = ["| what | good | median s | worst s | cost |", "|---|---|---|---|---|"]
+    for kind in dict.fromkeys(row["kind"] for row in rows):
+        mine = [row for row in rows if row["kind"] == kind]
+        seconds = [row["seconds"] for row in mine]
+        good = sum(
+            row.get("outcome") in ("certified", "solved") or row.get("exit") == 0 for row in mine
+        )
+        costs = sorted({f"{row['cost']:.7f}" for row in mine if row.get("cost")})
+        lines.append(
+            f"| {kind} | {good} of {len(mine)} | {median(seconds):.2f} | {max(seconds):.2f} "
+            f"| {', '.join(costs)} |"
+        )
+    return "\n".join(lines)
+
+
+def main(arguments: list[str]) -> int:
+    """Run, print the table, write the rows."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks cold")
+    parser.add_argument("--json", type=Path)
+    parser.add_argument("--seeds", type=int, default=20)
+    parser.add_argument("--processes", type=int, default=5, help="whole processes")
+    options = parser.parse_args(arguments)
+    inside(0)  # What is loaded when first used counts as import.
+    rows = [inside(seed) for seed in range(options.seeds)]
+    rows += [whole(seed) for seed in range(options.processes)]
+    rows.append(reference())
+    print(table(rows))
+    if options.json:
+        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+    return 0
