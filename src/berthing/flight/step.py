@@ -120,7 +120,8 @@ class Stepper:
 
             def rate(share: float, state: ca.SX, i: int = i) -> ca.SX:
                 s = (i + share) / SUBSTEPS
-                return derivative(self.model, t + s * h, state, (1 - s) * first + s * second)
+                u = (1 - s) * first + s * second
+                return ca.SX(derivative(self.model, t + s * h, state, u))
 
             k1 = rate(0.0, end)
             k2 = rate(0.5, end + 0.5 * step * k1)
@@ -139,7 +140,7 @@ def _collocation() -> tuple[Array, Array]:
     """Lobatto points, and the matrix from values there to integrals from −1 to each."""
     nodes = -np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
     unit = chebyshev.chebint(np.linalg.inv(chebyshev.chebvander(nodes, DEGREE)), lbnd=-1)
-    return nodes, chebyshev.chebvander(nodes, DEGREE + 1) @ unit
+    return nodes, np.asarray(chebyshev.chebvander(nodes, DEGREE + 1) @ unit, dtype=np.float64)
 
 
 _COLLOCATION = _collocation()

@@ -90,13 +90,17 @@ def _laws(stepper: Stepper, hold: Hold, plan: Reference) -> tuple[Array, list[_L
     laws: list[_Law] = []
     for F, G in _backwards(stepper, hold, plan):
         PG = P @ G
-        solve = np.linalg.solve(np.diag(correction) + G.T @ PG, PG.T @ F)
+        solve = _solved(np.diag(correction) + G.T @ PG, PG.T @ F)
         P = F.T @ P @ F - F.T @ PG @ solve + np.diag(np.concatenate([off, np.zeros(nu + 1)]))
         P = 0.5 * (P + P.T)
         laws.append(_Law(solve[:, : nx + nu], solve[:, -1]))
     v = slice(nx, nx + nu)
-    first = -np.linalg.solve(np.diag(correction) + P[v, v], P[v, -1])
+    first = _solved(np.diag(correction) + P[v, v], -P[v, -1])
     return first, laws[::-1]
+
+
+def _solved(matrix: Array, right: Array) -> Array:
+    return np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)
 
 
 def _backwards(stepper: Stepper, hold: Hold, plan: Reference) -> Iterator[tuple[Array, Array]]:
