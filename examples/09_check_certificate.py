@@ -11,6 +11,7 @@ from numpy.linalg import norm
 from numpy.polynomial import chebyshev as cheb
 
 SHAPES = ("box", "sphere", "point", "ellipsoid", "cylinder", "polytope")
+PLANE = {"qw": np.cos, "qx": np.zeros_like, "qy": np.zeros_like, "qz": np.sin}  # of half an angle
 
 
 def need(fact, what):
@@ -40,8 +41,7 @@ def convex(part, body):  # support function, and centre and radius of a ball, in
     need(s["type"] in SHAPES and "normals" not in s, f"unknown shape {s['type']}")
     box = lift(s.get("size_m", [0])) / 2
     ball = lift(s.get("semi_axes_m", [s.get("radius_m", 0)] * 3))
-    if s["type"] == "cylinder":
-        i = "xyz".index(s["axis"])
+    if (i := "xyz".find(s.get("axis", "none"))) >= 0:  # a cylinder's
         box[i], ball[i] = s["length_m"] / 2, 0
     V = np.array([lift(v) for v in s.get("vertices_m", [[0]])])
     middle = (V.max(0) + V.min(0)) / 2
@@ -59,7 +59,7 @@ def poses(body, times, nodes):  # by the law, or by the segment that holds the i
         s = next(s for s in body["segments"] if s["t0_s"] <= times[0] and times[1] <= s["t1_s"])
         x = (2 * times - s["t0_s"] - s["t1_s"]) / (s["t1_s"] - s["t0_s"])
         x = dict(zip(body["state_names"], cheb.chebval(x, s["state"]), strict=True))
-        q = np.transpose([x.get(k, 0 * times + (k == "qw")) for k in ("qw", "qx", "qy", "qz")])
+        q = np.transpose([x.get(k, f(x.get("angle_rad", 0 * times) / 2)) for k, f in PLANE.items()])
         length = cheb.chebfit(nodes, (q[2:] ** 2).sum(1), len(nodes) - 1)
         need(abs(length[0] - 1) + abs(length[1:]).sum() < 0.01, "a quaternion is not a unit one")
         return np.transpose([x.get(k, 0 * times) for k in ("x_m", "y_m", "z_m")]), [*map(turn, q)]

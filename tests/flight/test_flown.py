@@ -13,12 +13,13 @@ from berthing.flight.flown import with_controls
 from berthing.flight.holds import HOLDS, sample_times
 from berthing.planner import plan
 from berthing.report.folder import write_result
-from berthing.scenario.files import from_document, library, load
+from berthing.scenario.files import from_document, load
 from berthing.scenario.options import CONTROLS, SolverOptions
 from berthing.trajectory import PhaseTrajectory, Plan, Segment
 from berthing.verify.folder import verify_folder
 from berthing.verify.verification import verify
 from support import hand_made
+from support.shipped import to_be_certified
 
 KINDS = CONTROLS[1:]
 EVERY_S = 4.0
@@ -172,7 +173,7 @@ def test_sample_times_that_do_not_serve(sound) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("name", library())
+@pytest.mark.parametrize("name", to_be_certified())
 def test_shipped_cases_fly_on_piecewise_controls(name: str, kind: str, tmp_path: Path) -> None:
     scenario = load(name)
     options = replace(scenario.solver, controls=kind, sample_time_s=0.25)

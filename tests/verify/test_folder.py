@@ -3,6 +3,7 @@
 import json
 import shutil
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -216,6 +217,13 @@ def test_a_plan_json_of_another_form(folder: Path, change) -> None:
     edited(folder / "plan.json", change)
     with pytest.raises(InputError):
         verify_folder(folder)
+
+
+def test_a_scenario_without_a_document_is_said_to_be_one(make, tmp_path: Path) -> None:
+    whole, made = make.document_plan()
+    make.write_folder(tmp_path, replace(whole, document={}), made)
+    with pytest.raises(InputError, match="put together in Python and has no document"):
+        verify_folder(tmp_path)
 
 
 @pytest.mark.parametrize("cell", ["nan", "inf", "-1e999", "much", "1,2"])

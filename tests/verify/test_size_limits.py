@@ -60,6 +60,9 @@ def test_degrees_and_coefficients_are_counted() -> None:
     require_modest_trajectory(flown(10, many - 1), "here")
     with pytest.raises(InputError, match="coefficients"):
         require_modest_trajectory(flown(10, many), "here")
+    require_modest_trajectory(flown(1, size_limits.MOST_SEGMENTS), "here")
+    with pytest.raises(InputError, match="segments"):
+        require_modest_trajectory(flown(1, size_limits.MOST_SEGMENTS + 1), "here")
 
 
 def test_the_reader_has_limits_of_its_own(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:

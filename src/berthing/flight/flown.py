@@ -17,8 +17,8 @@ from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import PhaseTrajectory, Plan, Segment, VehicleNodes, VehicleTrajectory
 from berthing.xp import NUMPY
 
-MOST_SAMPLES = 20_000
-"""Intervals of one phase: a day at five seconds has fewer."""
+MOST_SAMPLES = 15_000
+"""Intervals of one phase: who checks the plan takes 20,000 segments, with those cut at kinks."""
 
 GAUSS = 8
 """Points of the cost's quadrature on an interval."""

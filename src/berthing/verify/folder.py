@@ -106,6 +106,12 @@ def _read(folder: Path, trust: bool) -> _Folder:
     document = record.get("scenario")
     if not isinstance(document, dict):
         raise InputError(f"{where}.scenario", "is not a scenario", "the whole scenario")
+    if not document:
+        raise InputError(
+            f"{where}.scenario",
+            "is empty: it was put together in Python and has no document to check the plan by",
+            "a scenario from a file, or one made by from_document",
+        )
     require_modest_scenario(document, f"{where}.scenario")
     scenario = from_document(document, f"{where}.scenario", trust=trust)
     interpolant = read_interpolant(folder / INTERPOLANT_JSON)

@@ -20,6 +20,10 @@ MOST_PAIRS = 200_000
 # The float slack of the certificate holds up to this degree. More nodes go into more segments.
 LARGEST_DEGREE = 90
 
+# Segments of one vehicle: the replay takes a step of some 0.5 ms for each, or more. A day of
+# commands held for five seconds has 17,280.
+MOST_SEGMENTS = 20_000
+
 # Coefficients of one vehicle, each segment counted with the highest degree of all.
 MOST_COEFFICIENTS = 2_000_000
 
@@ -47,6 +51,9 @@ def require_modest_trajectory(trajectory: VehicleTrajectory, where: str) -> None
     Raises:
         InputError: names the degree or the count.
     """
+    if len(trajectory.segments) > MOST_SEGMENTS:
+        found = f"has {len(trajectory.segments)} segments"
+        raise InputError(where, found, f"at most {MOST_SEGMENTS}")
     rows = max((max(len(s.state), len(s.control)) for s in trajectory.segments), default=0)
     if rows > LARGEST_DEGREE + 1:
         raise InputError(where, f"has a segment of degree {rows - 1}", f"{LARGEST_DEGREE} at most")

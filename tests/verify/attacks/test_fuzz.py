@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from berthing.verify.size_limits import LARGEST_DEGREE, MOST_PAIRS
+from berthing.verify.size_limits import LARGEST_DEGREE, MOST_PAIRS, MOST_SEGMENTS
 from support import hand_made, outside
 from support.attacks import certified, reseal
 
@@ -33,7 +33,7 @@ NASTY: tuple[Any, ...] = (
     float("nan"), float("inf"), 1e308, -1e308, 1e-320, -1, 0, 10**400, 2**63, True, None, "", "0",
     "\ud800", [], {}, [[]], [0.0] * 999, {"a": {}}, "x" * 10_000,
 )  # fmt: skip
-MEMORY_BYTES, SECONDS = 4 << 30, 60
+MEMORY_BYTES, SECONDS = 4 << 30, 90
 
 
 @pytest.fixture(scope="module")
@@ -150,7 +150,7 @@ def many_segments(document: dict[str, Any]) -> None:
             "state": first["state"][:1],
             "control": [[0] * 6],
         }
-        for i in range(60_000)
+        for i in range(MOST_SEGMENTS)
     ]
 
 
