@@ -6,13 +6,14 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check
 # Tests run in parallel; say PYTEST_ARGS= to run them in one process.
 PYTEST_ARGS ?= -n auto
 
-.PHONY: help plan test test-slow test-browser lint lock viewer viewer-check clean
+.PHONY: help plan test test-slow test-browser lint lock viewer viewer-check docs lock-docs clean
 help:
 	@echo "make plan       set up, plan scenario-a, print its verdict, write plans/scenario-a"
 	@echo "make test       set up, then lint, types, layers and the quick tests"
 	@echo "make test-slow  set up, then the slow tests"
 	@echo "make test-browser  set up, then the tests of the page; needs chromium"
 	@echo "make lock       resolve requirements.lock again"
+	@echo "make docs       build the documentation into site/, which opens from disk"
 	@echo "make viewer     build the page's script and style from viewer/; needs node and npm"
 	@echo "make viewer-check  compare them with what is committed"
 
@@ -55,6 +56,18 @@ viewer: viewer/node_modules/.ready
 viewer-check: viewer/node_modules/.ready
 	cd viewer && npm run --silent types && npm run --silent build -- --check
 
+# The documentation's builder has an environment and a lock of its own: no plan needs it.
+build/docs/.ready: requirements-docs.lock
+	@$(PYTHON) -m venv --clear build/docs
+	@build/docs/bin/python -m pip --disable-pip-version-check install --quiet --require-hashes \
+		-r requirements-docs.lock
+	@touch $@
+
+# Warnings are errors. The variable silences the theme's advertisement alone.
+docs: build/docs/.ready
+	NO_MKDOCS_2_WARNING=1 build/docs/bin/mkdocs build --strict
+	@echo "site/index.html"
+
 # Versions and hashes only: no index addresses, no file paths. The public index is asked, whatever
 # this machine is set to use.
 lock:
@@ -65,5 +78,13 @@ lock:
 		--strip-extras --no-header --no-annotate --no-emit-index-url --no-emit-find-links \
 		--no-emit-trusted-host --output-file requirements.lock pyproject.toml
 
+lock-docs:
+	$(PYTHON) -m venv --clear build/lock
+	build/lock/bin/python -m pip install --quiet pip-tools
+	env -u PIP_FIND_LINKS -u PIP_EXTRA_INDEX_URL PIP_CONFIG_FILE=/dev/null \
+		build/lock/bin/pip-compile --quiet --upgrade --generate-hashes --allow-unsafe \
+		--strip-extras --no-header --no-annotate --no-emit-index-url --no-emit-find-links \
+		--no-emit-trusted-host --output-file requirements-docs.lock requirements-docs.in
+
 clean:
-	rm -rf $(VENV) viewer/node_modules build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) viewer/node_modules site build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache
