@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
 from berthing.errors import InputError
 from berthing.export.epoch import Epoch
-from berthing.export.handover import Handover
+from berthing.export.handover import Handover, Track
+from berthing.geometry.arrays import Array
 
 # 502.0-B-2, 7.3: lines of at most 254 characters, end excluded.
 LONGEST_LINE = 254
@@ -25,6 +26,53 @@ def header(version_keyword: str, handover: Handover, lines: Iterable[str]) -> li
         f"CREATION_DATE = {now}",
         f"ORIGINATOR = {handover.meta.text('originator') or 'BERTHING'}",
     ]
+
+
+def write_message(
+    path: Path,
+    version_keyword: str,
+    handover: Handover,
+    told: Iterable[str],
+    segment: Callable[[Handover, Track], Iterable[str]],
+) -> None:
+    """A whole message: its head, and a segment for each vehicle and phase."""
+    lines = header(version_keyword, handover, told)
+    for track in handover.tracks:
+        lines += ["", *segment(handover, track)]
+    write_lines(path, lines)
+
+
+def metadata(
+    handover: Handover, track: Track, frames: Sequence[str], rest: Sequence[str]
+) -> list[str]:
+    """A segment's metadata block.
+
+    Args:
+        frames, rest: the lines of one kind of message alone: about frames, and at the end.
+
+    Raises:
+        InputError: ``meta:`` lacks the epoch, the centre or the object's id.
+    """
+    epoch, times = epoch_of(handover), track.samples.t_us
+    return [
+        "META_START",
+        f"OBJECT_NAME = {handover.meta.object_name(track.name)}",
+        f"OBJECT_ID = {handover.meta.object_id(track.name)}",
+        f"CENTER_NAME = {centre_of(handover)}",
+        *frames,
+        f"TIME_SYSTEM = {epoch.scale}",
+        f"START_TIME = {epoch.iso(times[0])}",
+        f"STOP_TIME = {epoch.iso(times[-1])}",
+        *rest,
+        "META_STOP",
+    ]
+
+
+def data(handover: Handover, track: Track, rows: Array) -> Iterator[str]:
+    """Lines of time and numbers, of ``rows`` (k, m) at the track's samples."""
+    epoch = epoch_of(handover)
+    for t_us, row in zip(track.samples.t_us, rows, strict=True):
+        yield " ".join([epoch.iso(t_us), *(number(v) for v in row)])
 
 
 def comments(lines: Iterable[str]) -> list[str]:

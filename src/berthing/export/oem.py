@@ -21,28 +21,14 @@ def write(handover: Handover, path: Path) -> None:
         InputError: ``meta:`` lacks or mistakes what the message states.
     """
     told = notes(handover, quaternion="", units="km and km/s")
-    lines = ccsds.header("CCSDS_OEM_VERS", handover, told)
-    for track in handover.tracks:
-        lines += ["", *_segment(handover, track)]
-    ccsds.write_lines(path, lines)
+    ccsds.write_message(path, "CCSDS_OEM_VERS", handover, told, _segment)
 
 
 def _segment(handover: Handover, track: Track) -> Iterator[str]:
-    epoch, samples = ccsds.epoch_of(handover), track.samples
-    yield from (
-        "META_START",
-        f"OBJECT_NAME = {handover.meta.object_name(track.name)}",
-        f"OBJECT_ID = {handover.meta.object_id(track.name)}",
-        f"CENTER_NAME = {ccsds.centre_of(handover)}",
-        f"REF_FRAME = {ccsds.frame_of(handover)}",
-        f"TIME_SYSTEM = {epoch.scale}",
-        f"START_TIME = {epoch.iso(samples.t_us[0])}",
-        f"STOP_TIME = {epoch.iso(samples.t_us[-1])}",
-        # A cubic through position and velocity at two samples crosses no break of the plan.
-        "INTERPOLATION = HERMITE",
-        "INTERPOLATION_DEGREE = 3",
-        "META_STOP",
-    )
+    frames = [f"REF_FRAME = {ccsds.frame_of(handover)}"]
+    # A cubic through position and velocity at two samples crosses no break of the plan.
+    rest = ["INTERPOLATION = HERMITE", "INTERPOLATION_DEGREE = 3"]
+    yield from ccsds.metadata(handover, track, frames, rest)
+    samples = track.samples
     rows = KM * np.hstack([samples.position_m, samples.velocity_m_s])
-    for t_us, row in zip(samples.t_us, rows, strict=True):
-        yield " ".join([epoch.iso(t_us), *(ccsds.number(v) for v in row)])
+    yield from ccsds.data(handover, track, rows)

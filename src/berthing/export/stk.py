@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
 
@@ -55,21 +55,37 @@ def reference(handover: Handover, keyword: str, own_key: str) -> list[str]:
     return [f"CentralBody {body}", f"{keyword} {axes}"]
 
 
-def scenario_epoch(handover: Handover) -> str:
+def _scenario_epoch(handover: Handover) -> str:
     """``ScenarioEpoch 1 Jan 2026 00:00:00.000000``, in UTC."""
     return f"ScenarioEpoch {_utcg(epoch_of(handover).utc)}"
 
 
-def table(times_s: Iterable[float], rows: Array) -> list[str]:
-    """Lines of time and numbers, to their last digit."""
+def write_table(
+    path: Path,
+    handover: Handover,
+    told: Sequence[str],
+    kind: str,
+    head: Sequence[str],
+    columns: str,
+    times_s: Array,
+    rows: Array,
+) -> None:
+    """A file of one block: version, comments, and a table over time.
+
+    Args:
+        told: comments.
+        kind: ``Ephemeris`` or ``Attitude``.
+        head: lines of this kind alone, above the table.
+        columns: what STK calls a table of these columns.
+        times_s, rows: (k,) and (k, m), written to their last digit.
+    """
     pairs = zip(times_s, rows.tolist(), strict=True)
-    return [" ".join([f"{t:.6f}", *(f"{v:.16e}" for v in row)]) for t, row in pairs]
-
-
-def write_file(path: Path, told: Sequence[str], kind: str, body: Iterable[str]) -> None:
-    """Version, comments and a block."""
-    comments = (f"# {line}" for line in told)
-    lines = ("stk.v.11.0", "", *comments, "", f"BEGIN {kind}", "", *body, "", f"END {kind}")
+    lines = [
+        "stk.v.11.0", "", *(f"# {line}" for line in told), "", f"BEGIN {kind}", "",
+        f"NumberOf{kind}Points {len(times_s)}", _scenario_epoch(handover), *head, "", columns, "",
+        *(" ".join([f"{t:.6f}", *(f"{v:.16e}" for v in row)]) for t, row in pairs),
+        "", f"END {kind}",
+    ]  # fmt: skip
     path.write_text("\n".join(lines) + "\n", encoding="ascii")
 
 

@@ -20,16 +20,11 @@ def write(handover: Handover, path: Path) -> None:
         InputError: a frame or centre that STK has not, and no ``stk_axes``.
     """
     t, _, _, q = joined(handover.tracks)
-    body = [
-        f"NumberOfAttitudePoints {len(t)}",
-        stk.scenario_epoch(handover),
+    head = [
         "BlockingFactor 20",
         "InterpolationOrder 1",
         *stk.reference(handover, "CoordinateAxes", AXES),
-        "",
-        "AttitudeTimeQuaternions",
-        "",
-        *stk.table(t, scalar_last(q)),
     ]
     told = notes(handover, quaternion=SCALAR_LAST, units="s")
-    stk.write_file(path, told, "Attitude", body)
+    rows = scalar_last(q)
+    stk.write_table(path, handover, told, "Attitude", head, "AttitudeTimeQuaternions", t, rows)

@@ -21,17 +21,13 @@ def write(handover: Handover, path: Path) -> None:
         InputError: a frame or centre that STK has not, and no ``stk_system``.
     """
     t, position, velocity, _ = joined(handover.tracks)
-    body = [
-        f"NumberOfEphemerisPoints {len(t)}",
-        stk.scenario_epoch(handover),
+    head = [
         # Two samples to an interval, so that no polynomial crosses a break of the plan.
         "InterpolationMethod Hermite",
         "InterpolationSamplesM1 1",
         *stk.reference(handover, "CoordinateSystem", SYSTEM),
         "DistanceUnit Meters",
-        "",
-        "EphemerisTimePosVel",
-        "",
-        *stk.table(t, np.hstack([position, velocity])),
     ]
-    stk.write_file(path, notes(handover, quaternion="", units="m and m/s"), "Ephemeris", body)
+    told = notes(handover, quaternion="", units="m and m/s")
+    rows = np.hstack([position, velocity])
+    stk.write_table(path, handover, told, "Ephemeris", head, "EphemerisTimePosVel", t, rows)
