@@ -14,7 +14,8 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterator
-from itertools import combinations
+from dataclasses import replace
+from itertools import combinations, product
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -24,6 +25,7 @@ import numpy as np
 from berthing.mesh import cache
 from berthing.planner import plan
 from berthing.scenario.files import from_document
+from berthing.scenario.options import EFFORTS
 from berthing.scenario.scenario import Scenario
 
 MESHES = Path(__file__).parents[1] / "examples" / "meshes"
@@ -136,14 +138,15 @@ def with_certificates(scenario: Scenario) -> list[dict]:
     ]
 
 
-def measured(name: str, scenario: Scenario, round_: int) -> dict:
+def measured(name: str, scenario: Scenario, effort: str, round_: int) -> dict:
     """One plan from no guess."""
-    result = plan(scenario)
+    result = plan(scenario, options=replace(scenario.solver, effort=effort))
     made, found = result.plan, result.verification
     if made is None or found is None:
-        return {"scene": name, "round": round_, "outcome": result.outcome}
+        return {"scene": name, "effort": effort, "round": round_, "outcome": result.outcome}
     return {
         "scene": name,
+        "effort": effort,
         "round": round_,
         "outcome": result.outcome,
         "pairs": len(scenario.pairs(scenario.phases[0])),
@@ -159,15 +162,15 @@ def measured(name: str, scenario: Scenario, round_: int) -> dict:
 
 
 def table(rows: list[dict], seconds_to_read: float) -> str:
-    """A line a scene."""
+    """A line a scene and effort."""
     lines = [
-        "| scene | pairs | certified | s, median | iterations | s an iteration | cost | bound m |",
-        "|---|---|---|---|---|---|---|---|",
+        "| scene | effort | pairs | certified | s, median | iterations | s each | cost | bound m |",
+        "|---|---|---|---|---|---|---|---|---|",
     ]
-    for name in dict.fromkeys(row["scene"] for row in rows):
-        mine = [row for row in rows if row["scene"] == name]
+    for name, effort in dict.fromkeys((row["scene"], row["effort"]) for row in rows):
+        mine = [row for row in rows if (row["scene"], row["effort"]) == (name, effort)]
         good = [row for row in mine if row["outcome"] == "certified"]
-        first = f"| {name} | {mine[0].get('pairs', '')} | {len(good)} of {len(mine)} "
+        first = f"| {name} | {effort} | {mine[0].get('pairs', '')} | {len(good)} of {len(mine)} "
         if good:
             first += (
                 f"| {median(row['seconds']['total'] for row in good):.1f} "
@@ -185,6 +188,7 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks meshes")
     parser.add_argument("--json", type=Path)
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--effort", action="append", choices=EFFORTS)
     options = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory() as empty:
         os.environ[cache.FOLDER_VARIABLE] = empty
@@ -195,8 +199,8 @@ def main(arguments: list[str]) -> int:
     rows = []
     # In turns, so that what else the machine does falls on both.
     for round_ in range(options.rounds):
-        for name, scenario in scenes.items():
-            rows.append(measured(name, scenario, round_))
+        for effort, (name, scenario) in product(options.effort or ["normal"], scenes.items()):
+            rows.append(measured(name, scenario, effort, round_))
             print(rows[-1], flush=True)
     print(table(rows, seconds))
     if options.json:
