@@ -14,7 +14,7 @@ typedef struct { int v[3], next[3], alive; V m; double d; } Face; /* next[i] lie
 typedef struct {
     Vertex p[MOST_POINTS];
     Face f[MOST_FACES];
-    int points, faces;
+    int points, faces, free[MOST_FACES], n_free;
     int seen[MOST_FACES], edge[MOST_FACES][3], made[MOST_FACES]; /* while it grows */
 } Hull;
 
@@ -48,6 +48,7 @@ static int first_hull(Hull *h)
         for (int j = 0; j < 3; j++) h->f[i].next[j] = across[i][j];
     }
     h->faces = 4;
+    h->n_free = 0;
     return 1;
 }
 
@@ -60,9 +61,9 @@ static int first_points(Pair *pair, Hull *h, V *flat)
     h->points = 0;
     h->p[h->points++] = lowest(pair, n, &bound);
     tangents(n, 3, &s, &t);
-    V tried[6] = {mul(-1.0, n), s, mul(-1.0, s), t, mul(-1.0, t), n};
+    V tried[3] = {mul(-1.0, n), s, t};
     double farthest = 0.0;
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 3 && farthest <= 0.1 * pair->size; i++) {
         Vertex v = lowest(pair, tried[i], &bound);
         double away = length(sub(v.y, h->p[0].y));
         if (away > farthest) { farthest = away; h->p[1] = v; }
@@ -74,8 +75,8 @@ static int first_points(Pair *pair, Hull *h, V *flat)
     *flat = s;
     double widest = thin;
     int found = 0;
-    for (int i = 0; i < 8; i++) {
-        double angle = 0.7853981633974483 * i;
+    for (int i = 0; i < 8 && widest <= 0.1 * pair->size; i++) {
+        double angle = 2.4 * i;
         Vertex v = lowest(pair, plus(mul(cos(angle), s), sin(angle), t), &bound);
         double away = length(cross(e, sub(v.y, h->p[0].y)));
         if (away > widest) { widest = away; h->p[2] = v; found = 1; }
@@ -136,9 +137,13 @@ static int grow(Hull *h, int seed, double thin)
     int n_edges = horizon(h, seed, h->p[p].y, thin, &n_seen);
     if (n_edges < 3) return 0;
     for (int i = 0; i < n_edges; i++) {
-        int f = i < n_seen ? seen[i] : h->faces++;
+        int f = i < n_seen ? seen[i] : h->n_free > 0 ? h->free[--h->n_free] : h->faces++;
         if (f >= MOST_FACES) return 0;
         made[i] = f;
+    }
+    for (int i = n_edges; i < n_seen; i++) {
+        h->f[seen[i]].d = INFINITY;
+        h->free[h->n_free++] = seen[i];
     }
     for (int i = 0; i < n_edges; i++) {
         if (!set_face(h, made[i], edge[i][0], edge[i][1], p)) return 0;
@@ -161,7 +166,7 @@ static int lowest_face(const Hull *h)
 {
     int best = -1;
     for (int i = 0; i < h->faces; i++)
-        if (h->f[i].alive && (best < 0 || h->f[i].d < h->f[best].d)) best = i;
+        if (best < 0 || h->f[i].d < h->f[best].d) best = i;
     return best;
 }
 
@@ -176,19 +181,24 @@ static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
         return bound > found.lower ? (Depth){bound, fmax(bound, 0.0), flat} : found;
     }
     if (!first_hull(h)) return found;
+    pair->slack = 0.1 * tolerance;
     for (;;) {
         int f = lowest_face(h);
-        if (f < 0) break;
+        if (f < 0 || !h->f[f].alive) break;
         double d = h->f[f].d;
         V n = mul(-1.0, h->f[f].m);
         if (d >= 0.0) found.upper = fmin(found.upper, -d);
         if (found.lower >= -d - tolerance) break;
+        const Vertex *near = &h->p[h->f[f].v[0]];
+        pair->memory_a.point = near->a;
+        pair->memory_b.point = near->b;
         Vertex v = lowest(pair, n, &bound);
         if (bound > found.lower) { found.lower = bound; found.normal = n; }
         if (dot(h->f[f].m, v.y) - d <= tolerance || h->points == MOST_POINTS) break;
         h->p[h->points++] = v;
         if (!grow(h, f, 1e-14 * pair->size)) break;
     }
+    pair->slack = 0.0;
     return found;
 }
 #endif

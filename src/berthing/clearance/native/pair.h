@@ -80,7 +80,7 @@ static int half_space(const Pair *pair, Answer *answer)
     V own = three(wall->data);
     V n = wall == &pair->a ? own : mul(-1.0, turn(&pair->R, own));
     V towards = wall == &pair->a ? mul(-1.0, unturn(&pair->R, n)) : n;
-    Support s = support(other, towards, &memory);
+    Support s = support(other, towards, &memory, 0.0);
     V deepest = s.point, world = wall == &pair->a ? add(pair->r, turn(&pair->R, deepest)) : deepest;
     V in_wall = wall == &pair->a ? world : unturn(&pair->R, sub(world, pair->r));
     double gap = dot(own, in_wall) - wall->data[3];

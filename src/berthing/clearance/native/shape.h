@@ -100,7 +100,8 @@ static inline V superellipsoid_point(const double *d, V n)
         }
         double more = log(total) * total / slope;
         s += more;
-        if (more <= 1e-9 * (1.0 + fabs(s))) break; /* quadratic: the next step is below rounding */
+        /* Exact at once for equal exponents; else quadratic, and the next step below rounding. */
+        if ((P[0] == P[1] && P[1] == P[2]) || more <= 1e-9 * (1.0 + fabs(s))) break;
     }
     V p;
     double total = 0.0;

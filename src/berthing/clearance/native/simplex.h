@@ -8,7 +8,7 @@ typedef struct {
     Shape a, b;
     M R;
     V r;
-    double size;
+    double size, slack; /* what support points may fall short by, where a search finds them */
     int dim;
     Memory memory_a, memory_b;
 } Pair;
@@ -30,8 +30,8 @@ static inline V difference(const Pair *pair, V a, V b)
 /* The member of B - A that is lowest along the unit vector n, and the plane bound of n. */
 static Vertex lowest(Pair *pair, V n, double *bound)
 {
-    Support a = support(&pair->a, n, &pair->memory_a);
-    Support b = support(&pair->b, mul(-1.0, unturn(&pair->R, n)), &pair->memory_b);
+    Support a = support(&pair->a, n, &pair->memory_a, pair->slack);
+    Support b = support(&pair->b, mul(-1.0, unturn(&pair->R, n)), &pair->memory_b, pair->slack);
     Vertex v = {a.point, b.point, difference(pair, a.point, b.point)};
     *bound = dot(n, v.y) - a.slack - b.slack;
     return v;

@@ -53,6 +53,25 @@ static inline Level exponential_level(const double *d, V x)
     return l;
 }
 
+/* f and its slope along a ray. */
+static inline double exponential_along(const double *d, V x, V ray, double *slope)
+{
+    int count = (int)d[0];
+    const double *rows = d + 4, *offsets = rows + 3 * count;
+    double largest = -INFINITY, total = 0.0, rise = 0.0;
+    for (int j = 0; j < count; j++) largest = fmax(largest, dot(three(rows + 3 * j), x) - offsets[j]);
+    for (int j = 0; j < count; j++) {
+        V a = three(rows + 3 * j);
+        double z = dot(a, x) - offsets[j] - largest;
+        if (z < -45.0) continue;
+        double w = exp(z);
+        total += w;
+        rise += w * dot(a, ray);
+    }
+    *slope = rise / total;
+    return largest + log(total);
+}
+
 static const double TWOS[3] = {2.0, 2.0, 2.0};
 
 static inline int is_smooth(const Shape *s)
@@ -101,11 +120,10 @@ static inline V boundary(const Shape *s, V x)
     V c = middle(s), ray = sub(x, c);
     double t = 1.0;
     for (int step = 0; step < 60; step++) {
-        Level l = level_of(s, plus(c, t, ray));
-        double slope = dot(l.g, ray);
-        double more = slope > 0.0 ? -l.f / slope : t;
+        double slope, f = exponential_along(s->data, plus(c, t, ray), ray, &slope);
+        double more = slope > 0.0 ? -f / slope : t;
         t += more;
-        if (fabs(more) <= 1e-9 * t) break;
+        if (fabs(more) <= 1e-8 * t) break; /* quadratic */
     }
     return plus(c, t, ray);
 }
@@ -143,7 +161,7 @@ static inline int uphill(const Shape *s, V n, V *x, const Level *l, V left, doub
 
 /* The support point along the unit vector n by Newton's method on the boundary. Every iterate is a
    member, and the tangent plane there bounds the set: h(n) <= n·x + |n - its part along ∇f| size. */
-static inline Support climb(const Shape *s, V n, V start)
+static inline Support climb(const Shape *s, V n, V start, double enough)
 {
     V x = boundary(s, start);
     Level l = level_of(s, x);
@@ -156,7 +174,7 @@ static inline Support climb(const Shape *s, V n, V start)
         double slack = length(left) * s->size + fmax(-l.f / g, 0.0);
         stalled = slack < 0.5 * best.slack ? 0 : stalled + (best.slack < 1e-9 * s->size);
         if (slack < best.slack) best = (Support){x, slack};
-        if (slack <= 1e-14 * s->size || !uphill(s, n, &x, &l, left, rise)) break;
+        if (slack <= fmax(1e-14 * s->size, enough) || !uphill(s, n, &x, &l, left, rise)) break;
     }
     return best;
 }

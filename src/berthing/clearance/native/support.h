@@ -22,21 +22,22 @@ static Support by_rounder_sets(const Shape *s, V n)
             memcpy(scaled, s->data, 4 * sizeof(double));
             for (int i = 4; i < 4 + 4 * count; i++) scaled[i] = part * s->data[i];
             round.data = scaled;
-            if (level_of(&round, middle(s)).f < -1e-3) start = climb(&round, n, start).point;
+            if (level_of(&round, middle(s)).f < -1e-3) start = climb(&round, n, start, 0.0).point;
         }
     }
-    return climb(s, n, start);
+    return climb(s, n, start, 0.0);
 }
 
-static Support log_sum_exp_point(const Shape *s, V n, Memory *memory)
+static Support log_sum_exp_point(const Shape *s, V n, Memory *memory, double enough)
 {
+    double limit = fmax(ASTRAY * s->size, enough);
     V straight = plus(middle(s), s->size, n);
-    Support found = climb(s, n, memory->known ? memory->point : straight);
-    if (found.slack > ASTRAY * s->size && memory->known) {
-        Support again = climb(s, n, straight);
+    Support found = climb(s, n, memory->known ? memory->point : straight, enough);
+    if (found.slack > limit && memory->known) {
+        Support again = climb(s, n, straight, enough);
         if (again.slack < found.slack) found = again;
     }
-    if (found.slack > ASTRAY * s->size) {
+    if (found.slack > limit) {
         Support again = by_rounder_sets(s, n);
         if (again.slack < found.slack) found = again;
     }
@@ -44,8 +45,8 @@ static Support log_sum_exp_point(const Shape *s, V n, Memory *memory)
     return found;
 }
 
-/* Along the unit vector n, in the set's own frame. */
-static Support support(const Shape *s, V n, Memory *memory)
+/* Along the unit vector n, in the set's own frame; a search may stop at a slack that is enough. */
+static Support support(const Shape *s, V n, Memory *memory, double enough)
 {
     const double *d = s->data;
     V p = vec(0.0, 0.0, 0.0);
@@ -75,7 +76,7 @@ static Support support(const Shape *s, V n, Memory *memory)
         p = superellipsoid_point(d, n);
         break;
     case LOG_SUM_EXP:
-        return log_sum_exp_point(s, n, memory);
+        return log_sum_exp_point(s, n, memory, enough);
     default:
         break;
     }
