@@ -17,7 +17,7 @@ from berthing.geometry.pose import Pose
 TOLERANCE = 1e-10
 # The same where sets overlap: every other direction is shown to be no better than by this much.
 # The normal itself is as exact as that of sets apart.
-DEPTH_TOLERANCE = 1e-6
+DEPTH_TOLERANCE = 5e-7
 # Bounds of sets apart that stay further from each other than this, as a fraction of the sizes, are
 # improved on by slower methods; none of 300,000 random pairs of all shapes was.
 WIDE = 1e-9
