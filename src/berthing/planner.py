@@ -15,6 +15,7 @@ from berthing.guess.normals import exact_normals
 from berthing.guess.search import EFFORTS, Search
 from berthing.proximity.formulations import check_planned
 from berthing.refine.begin_with import beginning, refine
+from berthing.refine.order import OrderCheck, order_check
 from berthing.refine.polish import polish
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
@@ -30,6 +31,7 @@ from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Problem, build
 from berthing.transcription.sites import node_sites
 from berthing.verify.endpoints import check_endpoints
+from berthing.verify.extremal import extremality
 from berthing.verify.verification import verify
 
 DEGREE = 4
@@ -96,7 +98,10 @@ def plan_with_answer(
                 if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
                     break
             if best is not None and work.options.tolerance is not None:
-                work.attempts += polish(work.refiner(), "best", best, work.options.tolerance)
+                refiner = work.refiner()
+                work.attempts += polish(refiner, "best", best, work.options.tolerance)
+                if best.certified and best.answer is not None:
+                    work.order = order_check(refiner, "order", best.answer, work.attempts)
     if best is not None and work.options.controls != POLYNOMIAL:
         with work.stage("controls"):
             work.fly(best)
@@ -115,6 +120,7 @@ class _Work:
     iterations: int = 0
     clearance_m: float | None = None
     began: float = field(default_factory=time.monotonic)
+    order: OrderCheck | None = None
 
     @property
     def phase(self) -> Phase:
@@ -182,7 +188,7 @@ class _Work:
         made = replace(best.plan, iterations=self.iterations, wall_time_s=dict(self.seconds))
         verification = best.verification
         if verification.certified:
-            return Result(outcomes.CERTIFIED, made, verification, attempts)
+            return self._shown(Result(outcomes.CERTIFIED, made, verification, attempts))
         outcome = outcomes.UNDECIDED if verification.undecided else outcomes.NOT_CERTIFIED
         advice = "try another --seed or more --nodes; "
         if self.options.controls != POLYNOMIAL:
@@ -191,7 +197,16 @@ class _Work:
             inside = ", ".join(self.smaller)
             advice = f"planned by models inside the shapes of {inside}: take exact or outer ones; "
         advice += "; ".join(verification.reasons[:3])
-        return Result(outcome, made, verification, attempts, advice)
+        return self._shown(Result(outcome, made, verification, attempts, advice))
+
+    def _shown(self, result: Result) -> Result:
+        """With what is known of its optimality; piecewise controls are the solver's no more."""
+        assert result.plan is not None
+        if self.options.controls != POLYNOMIAL:
+            return result
+        found = extremality(self.scenario, result.plan)
+        costs, order = (None, None) if self.order is None else (self.order.costs, self.order.order)
+        return replace(result, extremality=found, costs=costs, order=order)
 
     def _failure(self) -> tuple[str, str]:
         """The commonest way in which the attempts failed, and what to try."""

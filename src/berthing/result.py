@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from berthing.trajectory import Plan
 
 if TYPE_CHECKING:
+    from berthing.verify.extremal import Extremality
     from berthing.verify.verification import Verification
 
 CERTIFIED = "certified"
@@ -76,6 +77,9 @@ class Result:
         verification: the independent check of the plan; None where there is no plan.
         attempts: what was tried, in order.
         advice: what to try next; empty where the plan is certified.
+        extremality: residuals of the conditions of optimality; None where they are not known.
+        costs: on the plan's mesh and two finer ones, and order: that which they show; None where
+            nobody asked (by a tolerance) or it cannot be told.
     """
 
     outcome: str
@@ -83,3 +87,6 @@ class Result:
     verification: Verification | None
     attempts: tuple[Attempt, ...] = ()
     advice: str = ""
+    extremality: Extremality | None = None
+    costs: tuple[float, ...] | None = None
+    order: float | None = None

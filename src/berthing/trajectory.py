@@ -155,12 +155,31 @@ class VehicleNodes:
 
 
 @dataclass(frozen=True)
+class SeparationCostate:
+    """The multiplier of one separation row.
+
+    Attributes:
+        phase, pair: names. time_s: of the row.
+        multiplier: ν, of the cost in physical units, a metre of clearance.
+        jumps: vehicle → (nx,) what the costate before has more than the one after: the gradient
+            of −ν times the clearance in the native state.
+    """
+
+    phase: str
+    pair: str
+    time_s: float
+    multiplier: float
+    jumps: Mapping[str, Array]
+
+
+@dataclass(frozen=True)
 class Plan:
     """A trajectory with the record of how it was found; it claims nothing about safety.
 
     Attributes:
         cost_per_margin: by how much the least cost rises with all margins, per metre, from the
             multipliers of the separation rows; None where they are not known.
+        separations: the multipliers of separation rows.
     """
 
     scenario_name: str
@@ -174,6 +193,7 @@ class Plan:
     backoff_m: float
     wall_time_s: Mapping[str, float] = field(default_factory=dict)
     cost_per_margin: float | None = None
+    separations: tuple[SeparationCostate, ...] = ()
 
     @property
     def node_count(self) -> int:

@@ -30,6 +30,7 @@ from berthing.trajectory import Plan
 from berthing.transcription.extract import nodes, trajectories
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Motion, Problem, ShapesOf, build, planned_shapes
+from berthing.transcription.separation_costates import separation_costates
 from berthing.transcription.sites import Site, node_sites
 from berthing.verify.verdict import UNDECIDED, VIOLATED
 from berthing.verify.verification import Verification, verify
@@ -290,6 +291,9 @@ def make_plan(
         seed=seed,
         backoff_m=BACKOFF_M,
         cost_per_margin=cost_per_margin(scenario, problem, outcome, BACKOFF_M),
+        separations=separation_costates(
+            problem, outcome.x, outcome.parameters, outcome.multipliers, outcome.motion.duration_s
+        ),
     )
 
 

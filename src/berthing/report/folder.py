@@ -12,7 +12,7 @@ from berthing.report.fresh_folder import FAILURE_JSON, FIGURES, REPORT_HTML, fre
 from berthing.report.offline.content import Content
 from berthing.report.offline.page import page
 from berthing.report.offline.shown import Shown
-from berthing.report.plan_json import failure_document, plan_document, to_text
+from berthing.report.plan_json import failure_document, optimality_document, plan_document, to_text
 from berthing.result import Result
 from berthing.scenario.normal import document_sha256
 from berthing.scenario.options import SolverOptions
@@ -74,6 +74,7 @@ def _write_plan(
     content = Content()
     content.add(scenario.name, scenario, plan, verification, claims)
     document = plan_document(scenario, plan, verification, result.outcome, result.attempts)
+    document["optimality"] = optimality_document(result)
     # The page shows the times that plan.json has, so its own text, quickly made, is not in them.
     seconds = time.perf_counter() - start
     stages = document["wall_time_s"]

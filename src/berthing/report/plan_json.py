@@ -53,6 +53,27 @@ def plan_document(
     }
 
 
+def optimality_document(result: Result) -> dict[str, Any] | None:
+    """Residuals, costs on finer meshes and multipliers of separation rows; None where unknown."""
+    if result.plan is None or result.extremality is None:
+        return None
+    return {
+        **result.extremality.to_json(),
+        "costs_on_finer_meshes": None if result.costs is None else list(result.costs),
+        "observed_order": result.order,
+        "separation_costates": [
+            {
+                "phase": own.phase,
+                "pair": own.pair,
+                "time_s": own.time_s,
+                "multiplier": own.multiplier,
+                "jumps": {name: jump.tolist() for name, jump in own.jumps.items()},
+            }
+            for own in result.plan.separations
+        ],
+    }
+
+
 def failure_document(scenario: Scenario, result: Result, options: SolverOptions) -> dict[str, Any]:
     """The content of failure.json: what was tried, and what to try next."""
     return {

@@ -98,6 +98,27 @@ def plan_rows(plan: Plan, verification: Verification) -> list[Row]:
     ]
 
 
+def optimality_rows(result: Result) -> list[Row]:
+    """How nearly the plan meets the conditions of optimality; none where nothing is known."""
+    found = result.extremality
+    if found is None:
+        return []
+    short = f"to 1e-{found.digits:.1f}, by {found.limiting}"
+    rows = [Row("Pontryagin extremal", short, None, ("optimality",))]
+    if result.costs is not None:
+        wide, narrow = (
+            abs(a - b) / max(abs(b), 1e-300)
+            for a, b in zip(result.costs[:-1], result.costs[1:], strict=True)
+        )
+        order = (
+            "too small to show an order" if result.order is None else f"order {result.order:.1f}"
+        )
+        rows.append(
+            Row("cost on meshes halved twice", f"moves by {wide:.1g}, then {narrow:.1g}: {order}")
+        )
+    return rows
+
+
 def result_rows(scenario: Scenario, result: Result) -> list[Row]:
     """The whole table of a result: of the plan, or of what was tried in vain."""
     rows = [Row("scenario", scenario.name)]
@@ -109,6 +130,7 @@ def result_rows(scenario: Scenario, result: Result) -> list[Row]:
         rows += [
             *verification_rows(result.verification),
             *plan_rows(result.plan, result.verification),
+            *optimality_rows(result),
         ]
         rows += reason_rows(result.verification)
     return [*rows, Row("try next", result.advice)] if result.advice else rows
