@@ -56,6 +56,10 @@ def _held(
     model = vehicle.model
     quaternion = [model.state_names.index(q) for q in QUATERNION] if model.turns else []
 
+    # Decided once: a difference across the edge would compare conditions of different number.
+    miss_m = float(np.linalg.norm(model.pose(x[None]).position[0] - asked.position_m))
+    on_edge = miss_m >= (1.0 - ON_EDGE) * end.position_tolerance_m
+
     def conditions(state: Array) -> Array:
         pose, (velocity, rate) = model.pose(state[None]), model.velocity(state[None])
         rotation, turned = pose.rotation[0], rate[0]
@@ -63,7 +67,7 @@ def _held(
         offset = pose.position[0] - asked.position_m
         if end.position_tolerance_m == 0.0:
             out.append(offset)
-        elif np.linalg.norm(offset) >= (1.0 - ON_EDGE) * end.position_tolerance_m:
+        elif on_edge:
             out.append(np.atleast_1d(np.linalg.norm(offset)))
         if model.turns:
             out.append(_attitude(asked, x[quaternion], rotation))
