@@ -11,6 +11,7 @@ from berthing.errors import InputError
 from berthing.flight.flown import with_controls
 from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import first_motions
+from berthing.guess.nearby import ROOM, near_pairs
 from berthing.guess.normals import exact_normals
 from berthing.guess.search import EFFORTS, Search
 from berthing.proximity.formulations import check_planned
@@ -29,6 +30,7 @@ from berthing.solve.quick import QuickSolver
 from berthing.transcription.kinks import kink_fractions, through
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Problem, build
+from berthing.transcription.scaling import phase_scale
 from berthing.transcription.sites import node_sites
 from berthing.verify.endpoints import check_endpoints
 from berthing.verify.extremal import extremality
@@ -84,24 +86,21 @@ def plan_with_answer(
     with work.stage("check"):
         check_endpoints(scenario)
     with work.stage("guess"):
-        problem, search = _search(work)
+        problem, search = _answers(work)
     best: Refinement | None = None
-    with search.pool:
-        with work.stage("guess"):
-            search.first_answers()
-        with work.stage("refine"):
-            while (candidate := search.next_candidate(_certified_cost(best))) is not None:
-                name, answer = candidate
-                refined = refine(work.refiner(), name, problem, answer.motion)
-                work.attempts += refined.attempts
-                best = _better(best, refined)
-                if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
-                    break
-            if best is not None and work.options.tolerance is not None:
-                refiner = work.refiner()
-                work.attempts += polish(refiner, "best", best, work.options.tolerance)
-                if best.certified and best.answer is not None:
-                    work.order = order_check(refiner, "order", best.answer, work.attempts)
+    with search.pool, work.stage("refine"):
+        while (candidate := search.next_candidate(_certified_cost(best))) is not None:
+            name, answer = candidate
+            refined = refine(work.refiner(), name, problem, answer.motion)
+            work.attempts += refined.attempts
+            best = _better(best, refined)
+            if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
+                break
+        if best is not None and work.options.tolerance is not None:
+            refiner = work.refiner()
+            work.attempts += polish(refiner, "best", best, work.options.tolerance)
+            if best.certified and best.answer is not None:
+                work.order = order_check(refiner, "order", best.answer, work.attempts)
     if best is not None and work.options.controls != POLYNOMIAL:
         with work.stage("controls"):
             work.fly(best)
@@ -233,20 +232,44 @@ class _Stage:
         self.work.seconds[self.name] = self.work.seconds.get(self.name, 0.0) + spent
 
 
-def _search(work: _Work) -> tuple[Problem, Search]:
-    """The coarse problem and its guesses, ready to be solved."""
+def _answers(work: _Work) -> tuple[Problem, Search]:
+    """The coarse problem with rows for all that its first answers come near, and those answers."""
+    also: set[int] = set()
+    while True:
+        problem, search = _search(work, also)
+        try:
+            search.first_answers()
+        except BaseException:
+            search.pool.close()
+            raise
+        known = {site.pair for site in problem.separation.sites}
+        near = near_pairs(work.scenario, problem.pairs, problem.mesh, search.motions, 0.0)
+        if near <= known:
+            return problem, search
+        search.pool.close()
+        also = known | near
+
+
+def _search(work: _Work, also: set[int]) -> tuple[Problem, Search]:
+    """The coarse problem and its guesses, ready to be solved.
+
+    Its rows are for the pairs that a guess comes near, and for those of ``also``.
+    """
     scenario, phase = work.scenario, work.phase
     mesh, effort = work.mesh(COARSE_SEGMENTS), EFFORTS[work.options.effort]
     pairs = scenario.pairs(phase)
-    sites = node_sites(mesh, len(pairs))
     first, normals = beginning(work.options.formulation, pairs), exact_normals(pairs)
-    problem = build(scenario, phase, mesh, sites, first.formulation, shapes_of=first.shapes_of)
     budget = Budget(COARSE_ITERATIONS, min(work.deadline - time.monotonic(), 1e6))
     whole = Continuation(
         scenario, phase, mesh, first.formulation, budget, BACKOFF_M, work.note, first.shapes_of
     )
     motions = first_motions(work.options.guess, whole, work.options.seed, effort.drawn)
-    starts = [Start(motion, normals) for _, motion in motions]
+    length_m = phase_scale(scenario, phase).length_m
+    guessed = [motion for _, motion in motions]
+    near = also | near_pairs(scenario, pairs, mesh, guessed, ROOM * length_m)
+    sites = [site for site in node_sites(mesh, len(pairs)) if site.pair in near]
+    problem = build(scenario, phase, mesh, sites, first.formulation, shapes_of=first.shapes_of)
+    starts = [Start(motion, normals) for motion in guessed]
     names = [name for name, _ in motions]
     solver = QuickSolver(problem, "cold", budget, COARSE_TOLERANCE, falls_back=False)
     if solver.quick:
@@ -255,7 +278,7 @@ def _search(work: _Work) -> tuple[Problem, Search]:
         names += [f"{name}, again" for name in names]
     pool = SolvePool(solver, scenario, starts, BACKOFF_M)
     return problem, Search(
-        names, pool, effort, phase, problem.layout.scale.length_m,
+        names, pool, effort, phase, length_m,
         lambda name, outcome: work.note(name, problem, outcome), work.deadline,
     )  # fmt: skip
 

@@ -16,6 +16,7 @@ import numpy as np
 from berthing.scenario.phase import Phase
 from berthing.solve.outcome import Outcome
 from berthing.solve.parallel import SolvePool, cores
+from berthing.transcription.problem import Motion
 
 SAME_PASSAGE = 0.25
 """Answers nearer than this share of the scenario's length are one and the same."""
@@ -71,6 +72,11 @@ class Search:
     _taken: int = 0
     _answers: list[tuple[str, Outcome]] = field(default_factory=list)
     _tried: list[Outcome] = field(default_factory=list)
+
+    @property
+    def motions(self) -> list[Motion]:
+        """Of the answers so far."""
+        return [outcome.motion for _, outcome in self._answers]
 
     def first_answers(self) -> None:
         """Solve guesses until the effort has what it asks for."""

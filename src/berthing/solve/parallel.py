@@ -52,6 +52,10 @@ class SolvePool:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Kill what still runs."""
         for receiver, (_index, child) in self._running.items():
             child.kill()
             child.join()
