@@ -143,8 +143,8 @@ class Page:
         self.call("Page.addScriptToEvaluateOnNewDocument", source=before)
         self.call("Page.navigate", url=path.resolve().as_uri())
         self._scripts = scripts
-        if scripts:
-            self.wait("document.documentElement?.dataset.ready === 'true'")
+        loaded = "location.href !== 'about:blank' && document.readyState === 'complete'"
+        self.wait("document.documentElement?.dataset.ready === 'true'" if scripts else loaded)
         self.settle()
 
     def close(self) -> None:
