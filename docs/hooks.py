@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from html import unescape
+from os.path import dirname, join, normpath
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,8 @@ ROOT = Path(__file__).parent.parent
 CASES = sorted((ROOT / "src/berthing/scenario/cases").glob("*.yaml"))
 LANGUAGES = {".py": "python", ".yaml": "yaml"}
 MATH = re.compile(r'<(span|div) class="arithmatex">\s*\\[(\[](.*?)\\[)\]]\s*</\1>', re.DOTALL)
+# A link upwards, its text and its target.
+LINK = re.compile(r"\[([^\]]*)\]\((\.\./[^)#]*)\)")
 # A link that a browser follows by itself to show the page.
 FETCHED = re.compile(
     r"""<(?:script|img|iframe|source)\b[^>]*\bsrc=["']?(https?:|//)|"""
@@ -40,6 +43,14 @@ def on_files(files: Any, config: Any) -> Any:
     if others:
         config.nav.append({"More": others})
     return files
+
+
+def _named(link: re.Match[str], page_uri: str) -> str:
+    """A link out of docs/ as text and path: that file is in the repository, not on the site."""
+    place = normpath(join("docs", dirname(page_uri), link[2]))
+    if place.startswith(("docs/", "examples/")) or not (ROOT / place).exists():
+        return link[0]
+    return f"{link[1]} (`{place}`)"
 
 
 def _section(case: Path) -> str:
@@ -67,6 +78,7 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Links to examples in the repository lead to that page here; the gallery has every case."""
     if page.file.src_uri == "gallery.md":
         markdown += "".join(_section(path) for path in CASES if f"## {path.stem}\n" not in markdown)
+    markdown = LINK.sub(lambda found: _named(found, page.file.src_uri), markdown)
     up = "../" * page.file.src_uri.count("/")
     return re.sub(
         r"\]\((?:\.\./)+examples/([^)]*)\)",
