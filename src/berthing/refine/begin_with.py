@@ -7,6 +7,7 @@ same sites, multipliers included, they are a handful of iterations away.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -24,6 +25,10 @@ from berthing.transcription.problem import (
 
 FIRST = {"kkt": "plane"}
 """What each form begins with; those not named begin with themselves."""
+
+
+TURNS = 3
+"""Times that the first form hands over its answer, before a candidate is given up."""
 
 
 @dataclass(frozen=True)
@@ -67,15 +72,23 @@ def refine(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Refi
     if any(planned_smaller(pair) for pair in coarse.pairs):
         return refiner.once(name, coarse, motion)
     first = beginning(refiner.formulation, coarse.pairs)
-    begun = replace(refiner, formulation=first.formulation, shapes_of=first.shapes_of).run(
-        name, coarse, motion
-    )
+    other = replace(refiner, formulation=first.formulation, shapes_of=first.shapes_of)
+    begun = other.run(name, coarse, motion)
     if first.formulation == refiner.formulation:
         return begun
-    if begun.answer is None:
-        return begun
-    followed = refiner.follow(f"{name}, {refiner.formulation}", begun.answer)
-    return replace(followed, attempts=[*begun.attempts, *followed.attempts])
+    last, attempts = begun, begun.attempts
+    for turn in range(TURNS):
+        if begun.answer is None:
+            break
+        last = refiner.follow(f"{name}, {refiner.formulation}", begun.answer)
+        attempts = [*attempts, *last.attempts]
+        spent = turn == TURNS - 1 or time.monotonic() > refiner.deadline
+        if last.certified or last.answer is None or spent:
+            break
+        # Stuck where sites have been added: the first form takes them on, and hands back.
+        begun = other.follow(f"{name}, {first.formulation} again", last.answer)
+        attempts = [*attempts, *begun.attempts]
+    return replace(last, attempts=attempts)
 
 
 def planned_smaller(pair: Pair) -> bool:
