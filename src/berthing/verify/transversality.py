@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from berthing.geometry.arrays import Array
-from berthing.geometry.quaternion import rotation_matrix
+from berthing.geometry.quaternion import from_matrix, rotation_matrix
 from berthing.scenario.attitude import AxisAttitude, FixedAttitude
 from berthing.scenario.goal import End, InertialEnd
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import VehicleNodes
+from berthing.verify.frames import lifted_rotation
 
 QUATERNION = ("qw", "qx", "qy", "qz")
 
@@ -54,7 +55,11 @@ def _held(
     """Gradients (m, nx), by the components' ranges, of what the end holds fast."""
     asked = end.resolve(t, scenario)
     model = vehicle.model
-    quaternion = [model.state_names.index(q) for q in QUATERNION] if model.turns else []
+    # Models of the plane turn by an angle, and have no quaternion among their states.
+    own = set(QUATERNION) <= set(model.state_names)
+    quaternion = [model.state_names.index(q) for q in QUATERNION] if own else []
+    here = lifted_rotation(model.pose(x[None]).rotation[0])
+    attitude = x[quaternion] if own else from_matrix(here)
 
     # Decided once: a difference across the edge would compare conditions of different number.
     miss_m = float(np.linalg.norm(model.pose(x[None]).position[0] - asked.position_m))
@@ -62,7 +67,7 @@ def _held(
 
     def conditions(state: Array) -> Array:
         pose, (velocity, rate) = model.pose(state[None]), model.velocity(state[None])
-        rotation, turned = pose.rotation[0], rate[0]
+        rotation, turned = lifted_rotation(pose.rotation[0]), rate[0]
         out: list[Array] = []
         offset = pose.position[0] - asked.position_m
         if end.position_tolerance_m == 0.0:
@@ -70,7 +75,7 @@ def _held(
         elif on_edge:
             out.append(np.atleast_1d(np.linalg.norm(offset)))
         if model.turns:
-            out.append(_attitude(asked, x[quaternion], rotation))
+            out.append(_attitude(asked, attitude, rotation))
         if model.tells_rates and asked.velocity_m_s is not None:
             out.append(velocity[0])
         if model.turns and model.tells_rates and asked.relative_rate_rad_s is not None:
