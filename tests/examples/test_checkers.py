@@ -12,14 +12,12 @@ from typing import Any
 
 import pytest
 
-from berthing.planner import plan
-from berthing.report.folder import write_result
 from berthing.scenario.files import load
 from berthing.scenario.point_mass import PointMass
 from berthing.scenario.rigid_body import RigidBody
 from berthing.verify.folder import verify_folder
 from support import hand_made
-from support.shipped import to_be_certified
+from support.shipped import planned_folder, to_be_certified
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CHECK, FLY = (
@@ -143,14 +141,12 @@ def test_a_message_and_no_traceback(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", to_be_certified())
-def test_shipped_plans(name: str, tmp_path: Path) -> None:
-    scenario = load(name)
-    result = plan(scenario)
-    write_result(scenario, result, scenario.solver, tmp_path / "plan")
-    assert verify_folder(tmp_path / "plan").certified
-    CHECK(tmp_path / "plan")
-    if all(isinstance(v.model, RigidBody | PointMass) for v in scenario.phases[0].vehicles):
-        FLY(tmp_path / "plan")
+def test_shipped_plans(name: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+    folder = planned_folder(name, tmp_path_factory)
+    assert verify_folder(folder).certified
+    CHECK(folder)
+    if all(isinstance(v.model, RigidBody | PointMass) for v in load(name).phases[0].vehicles):
+        FLY(folder)
         return
     with pytest.raises(ValueError, match="is not in list"):
-        FLY(tmp_path / "plan")
+        FLY(folder)

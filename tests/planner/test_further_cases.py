@@ -17,6 +17,7 @@ from berthing.planner import plan
 from berthing.result import CERTIFIED
 from berthing.scenario.files import load
 from berthing.trajectory_io import write_trajectory
+from support.shipped import planned_folder
 
 # Best found over the guesses of several seeds, and what a loose plan may cost more.
 COSTS = {
@@ -30,12 +31,6 @@ LOOSE = 1.03
 
 # The equations of these are written once, in the users' vocabulary.
 SAME_SOURCE = {"parking-backwards": 22.61, "piano-mover": 22.94}
-
-
-def planned(name: str, folder: Path) -> dict:
-    done = CliRunner().invoke(app, ["plan", name, "--out", str(folder), "--json"])
-    assert done.exit_code == 0, done.output
-    return json.loads((folder / "plan.json").read_text())
 
 
 def rows(folder: Path) -> list[dict[str, str]]:
@@ -58,16 +53,19 @@ def test_in_the_plane_a_certified_plan_keeps_apart_by_elementary_geometry(tmp_pa
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [*COSTS, *SAME_SOURCE])
-def test_it_is_certified_and_stays_so_from_its_files(name: str, tmp_path: Path) -> None:
-    document = planned(name, tmp_path / "plan")
+def test_it_is_certified_and_stays_so_from_its_files(
+    name: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    folder = planned_folder(name, tmp_path_factory)
+    document = json.loads((folder / "plan.json").read_text())
     verification = document["verification"]
     assert verification["certified"]
     assert verification["model_check"] == ("same_source" if name in SAME_SOURCE else "independent")
     assert verification["clearance_lower_bound_m"] >= verification["required_clearance_m"]
     assert document["cost"] <= LOOSE * (COSTS | SAME_SOURCE)[name]
-    again = CliRunner().invoke(app, ["verify", str(tmp_path / "plan"), "--json"])
+    again = CliRunner().invoke(app, ["verify", str(folder), "--json"])
     assert again.exit_code == 0, again.output
-    table = rows(tmp_path / "plan")
+    table = rows(folder)
     vehicles = {v["name"] for v in document["scenario"]["phases"][0]["vehicles"]}
     assert {row["vehicle"] for row in table} == vehicles
     assert len(table) >= 1001 * len(vehicles)

@@ -1,7 +1,15 @@
-"""Which of the cases that ship must come out certified."""
+"""The cases that ship: which of them must come out certified, and one plan of each a test run."""
 
 from __future__ import annotations
 
+import fcntl
+import os
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from berthing.cli import app
 from berthing.scenario.files import load
 from berthing.scenario.library import library
 
@@ -16,3 +24,21 @@ def planned_smaller(name: str) -> bool:
     scenario = load(name)
     pairs = [pair for phase in scenario.phases for pair in scenario.pairs(phase)]
     return any(part.planned_smaller for pair in pairs for part in (pair.part_a, pair.part_b))
+
+
+def planned_folder(name: str, factory: pytest.TempPathFactory) -> Path:
+    """The plan folder of a case, made by the command line when first asked for; not to be changed.
+
+    All workers of a run share it: they have one base folder between them.
+    """
+    base = factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        base = base.parent
+    folder = base / "shipped" / name
+    folder.parent.mkdir(exist_ok=True)
+    with (folder.parent / f"{name}.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not folder.exists():
+            done = CliRunner().invoke(app, ["plan", name, "--out", str(folder), "--json"])
+            assert done.exit_code == 0, done.output
+    return folder
