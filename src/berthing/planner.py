@@ -16,7 +16,7 @@ from berthing.guess.normals import exact_normals
 from berthing.guess.search import EFFORTS, Search
 from berthing.proximity.formulations import check_planned
 from berthing.refine.begin_with import beginning, refine
-from berthing.refine.order import OrderCheck, order_check
+from berthing.refine.order import order_check
 from berthing.refine.polish import polish
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
@@ -34,6 +34,7 @@ from berthing.transcription.scaling import phase_scale
 from berthing.transcription.sites import node_sites
 from berthing.verify.endpoints import check_endpoints
 from berthing.verify.extremal import extremality
+from berthing.verify.observed_order import OrderCheck
 from berthing.verify.verification import verify
 
 DEGREE = 4
@@ -204,8 +205,7 @@ class _Work:
         if self.options.controls != POLYNOMIAL:
             return result
         found = extremality(self.scenario, result.plan)
-        costs, order = (None, None) if self.order is None else (self.order.costs, self.order.order)
-        return replace(result, extremality=found, costs=costs, order=order)
+        return replace(result, extremality=found, order=self.order)
 
     def _failure(self) -> tuple[str, str]:
         """The commonest way in which the attempts failed, and what to try."""

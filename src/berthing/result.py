@@ -9,6 +9,7 @@ from berthing.trajectory import Plan
 
 if TYPE_CHECKING:
     from berthing.verify.extremal import Extremality
+    from berthing.verify.observed_order import OrderCheck
     from berthing.verify.verification import Verification
 
 CERTIFIED = "certified"
@@ -78,8 +79,8 @@ class Result:
         attempts: what was tried, in order.
         advice: what to try next; empty where the plan is certified.
         extremality: residuals of the conditions of optimality; None where they are not known.
-        costs: on the plan's mesh and two finer ones, and order: that which they show; None where
-            nobody asked (by a tolerance) or it cannot be told.
+        order: how fast the cost settles on finer meshes; None where nobody asked (by a
+            tolerance) or a solve failed.
     """
 
     outcome: str
@@ -88,5 +89,4 @@ class Result:
     attempts: tuple[Attempt, ...] = ()
     advice: str = ""
     extremality: Extremality | None = None
-    costs: tuple[float, ...] | None = None
-    order: float | None = None
+    order: OrderCheck | None = None

@@ -8,8 +8,11 @@ from dataclasses import replace
 import pytest
 
 from berthing.report.margin_loss import cost_lost
-from berthing.report.verdict_table import plan_rows, verification_rows
+from berthing.report.verdict_table import optimality_rows, plan_rows, verification_rows
+from berthing.result import Result
 from berthing.trajectory import PhaseTrajectory
+from berthing.verify.extremal import Extremality
+from berthing.verify.observed_order import OrderCheck, Study
 from berthing.verify.verification import verify
 from support import hand_made
 
@@ -54,3 +57,24 @@ def test_what_flies_is_named(sound, interpolation: str, words: str) -> None:
     own = replace(made.phases[0].vehicles[0], control_interpolation=interpolation)
     flown = replace(made, phases=(PhaseTrajectory("main", (own,)),))
     assert row(plan_rows(flown, found), "controls") == words
+
+
+FINE = Study(4, 7, (21, 42, 84), (1.0 + 7e-11, 1.0 + 5e-13, 1.0))
+COARSE = Study(3, 5, (21, 42, 84), (1.0 + 33e-9, 1.0 + 1e-9, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("shown", "words"),
+    [
+        (COARSE, "5.00 with degree 3, 21 to 84 segments (5 expected of smooth motion)"),
+        (None, "none to be seen: every mesh gives the same cost"),
+    ],
+)
+def test_the_order_of_the_cost_is_printed_with_where_it_was_seen(shown, words: str) -> None:
+    known = Extremality(1e-9, 1e-4, 0.0, 0.0, 0.0, None)
+    result = Result("certified", None, None, extremality=known, order=OrderCheck(FINE, shown))
+    rows = optimality_rows(result)
+    assert row(rows, "cost, mesh halved twice") == "moves by 7e-11, then 5e-13"
+    assert row(rows, "observed order of the cost") == words
+    unasked = optimality_rows(replace(result, order=None))
+    assert not [r for r in unasked if r.label.startswith(("cost", "observed"))]

@@ -1,71 +1,78 @@
-"""The cost on meshes twice halved: how fast it settles, by measurement."""
+"""Solves on meshes twice halved, which tell how fast the cost settles."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from berthing.guess.path import resample
 from berthing.refine.refiner import Refiner
 from berthing.result import Attempt
 from berthing.solve.ipopt import Answer
+from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import build
 from berthing.transcription.scheme import ONE_SEGMENT
 from berthing.transcription.sites import Site
-
-RESOLVED = 1e-10
-"""Of the cost: differences below this are the solver's own and show no order."""
-
-
-@dataclass(frozen=True)
-class OrderCheck:
-    """The cost on the plan's mesh, with every segment halved, and halved again.
-
-    Attributes:
-        costs: of the three meshes, rows of separation where they are.
-        order: log2 of the ratio of their differences; None where they are too small to tell.
-    """
-
-    costs: tuple[float, float, float]
-
-    @property
-    def differences(self) -> tuple[float, float]:
-        """|J_h − J_h/2| and |J_h/2 − J_h/4| as shares of the cost."""
-        first, second, third = self.costs
-        scale = max(abs(third), 1e-300)
-        return abs(first - second) / scale, abs(second - third) / scale
-
-    @property
-    def order(self) -> float | None:
-        """p where the cost's error falls as the width of segments to the power p."""
-        wide, narrow = self.differences
-        if wide <= RESOLVED or narrow <= 0.0:
-            return None
-        # A difference below what is resolved may be anything up to it: a bound from below.
-        return math.log2(wide / max(narrow, RESOLVED))
+from berthing.verify.observed_order import OrderCheck, Study
 
 
 def order_check(
     refiner: Refiner, name: str, answer: Answer, attempts: list[Attempt]
 ) -> OrderCheck | None:
-    """Solve ``answer``'s problem on finer meshes; None where one fails or the mesh is one segment.
+    """Solve ``answer``'s problem on finer meshes, and with lower degrees until an order shows.
 
-    Rows of separation and shared planes stay where they are, so that the only change is how finely
-    the motion is resolved.
+    None where the plan's own degree fails on a finer mesh or where the mesh is one segment. Rows of
+    separation and shared planes stay where they are, so that the only change is how finely the
+    motion is resolved.
     """
     if refiner.mesh.scheme in ONE_SEGMENT:
         return None
-    old, motion = answer.problem, answer.outcome.motion
-    places = [(s.pair, old.mesh.fraction(s.segment, s.s)) for s in old.separation.sites]
-    shared = {(_key(*places[w.first]), _key(*places[w.last])) for w in old.sweeps}
-    mesh, costs = old.mesh, []
-    for halvings in range(3):
-        if halvings:
+    work = _Studies(refiner, name, answer, attempts)
+    highest = max(answer.problem.mesh.degrees)
+    own = work.study(highest)
+    if own is None:
+        return None
+    for degree in range(highest, 0, -1):
+        found = own if degree == highest else work.study(degree)
+        if found is not None and found.order is not None:
+            return OrderCheck(own, found)
+    return OrderCheck(own, None)
+
+
+@dataclass(frozen=True)
+class _Studies:
+    """Solves one answer's problem anew on meshes of its own breaks."""
+
+    refiner: Refiner
+    name: str
+    answer: Answer
+    attempts: list[Attempt]
+
+    def study(self, degree: int) -> Study | None:
+        """The cost with polynomials of a degree; None where a solve fails."""
+        mesh = self.answer.problem.mesh
+        mesh = Mesh(mesh.scheme, mesh.breaks, (degree,) * mesh.segments)
+        nodes = mesh.node_set(0)
+        expected = len(nodes.collocated) + len(nodes.points) - 2
+        segments, costs = [], []
+        for _ in range(3):
+            cost = self._cost(mesh, f"{self.name}, degree {degree}, {mesh.segments} segments")
+            if cost is None:
+                return None
+            segments.append(mesh.segments)
+            costs.append(cost)
             mesh = mesh.split(set(range(mesh.segments)))
-        here = mesh
+        return Study(
+            degree, expected, (segments[0], segments[1], segments[2]),
+            (costs[0], costs[1], costs[2]),
+        )  # fmt: skip
+
+    def _cost(self, mesh: Mesh, label: str) -> float | None:
+        refiner, old = self.refiner, self.answer.problem
+        places = [(s.pair, old.mesh.fraction(s.segment, s.s)) for s in old.separation.sites]
+        shared = {(_key(*places[w.first]), _key(*places[w.last])) for w in old.sweeps}
 
         def shares(first: Site, last: Site) -> bool:
-            ends = [_key(s.pair, here.fraction(s.segment, s.s)) for s in (first, last)]  # noqa: B023
+            ends = [_key(s.pair, mesh.fraction(s.segment, s.s)) for s in (first, last)]
             return (ends[0], ends[1]) in shared
 
         problem = build(
@@ -73,12 +80,9 @@ def order_check(
             sorted(Site(*mesh.locate(at), pair) for pair, at in places), refiner.formulation,
             shapes_of=refiner.shapes_of, sweep_within=1.0, shares=shares, regulariser=0.0,
         )  # fmt: skip
-        start = resample(motion, refiner.phase, old.mesh, mesh)
-        step = refiner.step(f"{name}, {halvings} halvings", problem, start, None, attempts, "sharp")
-        if not step.outcome.solved:
-            return None
-        costs.append(step.outcome.cost)
-    return OrderCheck((costs[0], costs[1], costs[2]))
+        start = resample(self.answer.outcome.motion, refiner.phase, old.mesh, mesh)
+        outcome = refiner.solve(label, problem, start, None, self.attempts, "sharp")
+        return outcome.cost if outcome.solved else None
 
 
 def _key(pair: int, at: float) -> tuple[int, float]:

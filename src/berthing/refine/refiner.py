@@ -193,13 +193,21 @@ class Refiner:
         attempts: list[Attempt], preset: str | None = None,
     ) -> Step:  # fmt: skip
         """Solve, record it, sample the answer, tell of it."""
-        outcome = self._solve(problem, motion, previous, preset)
-        attempts.append(attempt(label, problem, outcome))
+        outcome = self.solve(label, problem, motion, previous, attempts, preset)
         if not outcome.solved:
             return Step(problem, outcome, None)
         sampled = self.sample(problem, outcome.motion)
         self.report(label, outcome.iterations, _least(sampled))
         return Step(problem, outcome, sampled)
+
+    def solve(
+        self, label: str, problem: Problem, motion: Motion, previous: Answer | None,
+        attempts: list[Attempt], preset: str | None = None,
+    ) -> Outcome:  # fmt: skip
+        """Solve and record it."""
+        outcome = self._solve(problem, motion, previous, preset)
+        attempts.append(attempt(label, problem, outcome))
+        return outcome
 
     def _build(self, mesh: Mesh, sites: list[Site]) -> Problem:
         within = SWEEP * SPACING / self.mesh.control_count

@@ -59,8 +59,8 @@ def optimality_document(result: Result) -> dict[str, Any] | None:
         return None
     return {
         **result.extremality.to_json(),
-        "costs_on_finer_meshes": None if result.costs is None else list(result.costs),
-        "observed_order": result.order,
+        "observed_order": None if result.order is None else result.order.order,
+        "order_check": None if result.order is None else result.order.to_json(),
         "separation_costates": [
             {
                 "phase": own.phase,

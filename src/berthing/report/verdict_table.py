@@ -10,6 +10,7 @@ from berthing.report.margin_loss import cost_lost
 from berthing.result import CERTIFIED, UNDECIDED, Attempt, Result
 from berthing.scenario.scenario import Scenario
 from berthing.trajectory import Plan
+from berthing.verify.observed_order import OrderCheck
 from berthing.verify.verdict import CERTIFIED as PAIR_CERTIFIED
 from berthing.verify.verdict import EXEMPT
 from berthing.verify.verification import Verification
@@ -105,18 +106,23 @@ def optimality_rows(result: Result) -> list[Row]:
         return []
     short = f"to 1e-{found.digits:.1f}, by {found.limiting}"
     rows = [Row("Pontryagin extremal", short, None, ("optimality",))]
-    if result.costs is not None:
-        wide, narrow = (
-            abs(a - b) / max(abs(b), 1e-300)
-            for a, b in zip(result.costs[:-1], result.costs[1:], strict=True)
-        )
-        order = (
-            "too small to show an order" if result.order is None else f"order {result.order:.1f}"
-        )
-        rows.append(
-            Row("cost on meshes halved twice", f"moves by {wide:.1g}, then {narrow:.1g}: {order}")
-        )
+    if result.order is not None:
+        wide, narrow = result.order.own.moves
+        keys = ("optimality.order_check", "optimality.observed_order")
+        rows += [
+            Row("cost, mesh halved twice", f"moves by {wide:.1g}, then {narrow:.1g}", None, keys),
+            Row("observed order of the cost", _order(result.order), None, keys),
+        ]
     return rows
+
+
+def _order(found: OrderCheck) -> str:
+    shown = found.shown
+    if shown is None or shown.order is None:
+        return "none to be seen: every mesh gives the same cost"
+    coarse, _, fine = shown.segments
+    where = f"degree {shown.degree}, {coarse} to {fine} segments"
+    return f"{shown.order:.2f} with {where} ({shown.expected} expected of smooth motion)"
 
 
 def result_rows(scenario: Scenario, result: Result) -> list[Row]:
