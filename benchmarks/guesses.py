@@ -7,13 +7,12 @@ and its seconds include its sub-problems. Of ours, those that no seed changes ar
 
 from __future__ import annotations
 
-import argparse
-import json
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 from statistics import median
 
+from benchmarks._by_case import run
 from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import first_motions
 from berthing.guess.normals import exact_normals
@@ -102,22 +101,15 @@ def table(rows: list[dict]) -> str:
     return "\n".join(lines)
 
 
+def rows_of(name: str, seeds: int) -> Iterator[list[dict]]:
+    """Of one case: every guess from every seed."""
+    whole = Whole(name)
+    for guess in GUESSES:
+        seen: set[str] = set()
+        for seed in range(seeds):
+            yield whole.rows(guess, seed, seen)
+
+
 def main(arguments: list[str]) -> int:
     """Run, print the table, write the rows."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks guesses")
-    parser.add_argument("--json", type=Path)
-    parser.add_argument("--seeds", type=int, default=20)
-    parser.add_argument("--case", action="append", choices=CASES)
-    options = parser.parse_args(arguments)
-    rows = []
-    for name in options.case or CASES:
-        whole = Whole(name)
-        for guess in GUESSES:
-            seen: set[str] = set()
-            for seed in range(options.seeds):
-                rows += whole.rows(guess, seed, seen)
-                print(rows[-1], flush=True)
-    print(table(rows))
-    if options.json:
-        options.json.write_text(json.dumps(rows, indent=1) + "\n")
-    return 0
+    return run("guesses", CASES, rows_of, table, arguments)

@@ -6,25 +6,26 @@ Each plan is made by the command line in a process of its own, and its folder is
 
 from __future__ import annotations
 
-import argparse
 import json
 import math
 import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
+from benchmarks._by_case import run
 from support import outside
 
 CASES = ("scenario-a", "scenario-b", "scenario-b-tight")
 SAMPLES = 6001
 
 
-def run(name: str, seed: int) -> dict:
+def planned(name: str, seed: int) -> dict:
     """Plan one case and look at what came out."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "plan"
@@ -74,19 +75,11 @@ def table(rows: list[dict]) -> str:
     return "\n".join(lines)
 
 
+def rows_of(name: str, seeds: int) -> Iterator[list[dict]]:
+    """Of one case: a plan a seed."""
+    return ([planned(name, seed)] for seed in range(seeds))
+
+
 def main(arguments: list[str]) -> int:
     """Run, print the table, write the rows."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks seeds")
-    parser.add_argument("--json", type=Path)
-    parser.add_argument("--seeds", type=int, default=20)
-    parser.add_argument("--case", action="append", choices=CASES)
-    options = parser.parse_args(arguments)
-    rows = []
-    for name in options.case or CASES:
-        for seed in range(options.seeds):
-            rows.append(run(name, seed))
-            print(rows[-1], flush=True)
-    print(table(rows))
-    if options.json:
-        options.json.write_text(json.dumps(rows, indent=1))
-    return 0
+    return run("seeds", CASES, rows_of, table, arguments)

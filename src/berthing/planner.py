@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import closing
 from dataclasses import dataclass, field, replace
 
 from berthing import result as outcomes
@@ -89,7 +90,7 @@ def plan_with_answer(
     with work.stage("guess"):
         problem, search = _answers(work)
     best: Refinement | None = None
-    with search.pool, work.stage("refine"):
+    with closing(search.pool), work.stage("refine"):
         while (candidate := search.next_candidate(_certified_cost(best))) is not None:
             name, answer = candidate
             refined = refine(work.refiner(), name, problem, answer.motion)

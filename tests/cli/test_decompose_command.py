@@ -3,31 +3,15 @@ import json
 import numpy as np
 import pytest
 
-from berthing.mesh import cache
 from support import solids
-
-ROBOT = """
-<robot name="probe">
-  <link name="bus">
-    <inertial><mass value="8"/><inertia ixx="1" iyy="1" izz="1"/></inertial>
-    <collision><geometry><box size="1 1 1"/></geometry></collision>
-  </link>
-  <link name="hand"><collision><geometry><mesh filename="box.stl"/></geometry></collision></link>
-  <joint name="wrist" type="continuous">
-    <origin xyz="1 0 0"/><parent link="bus"/><child link="hand"/><axis xyz="0 0 1"/>
-  </joint>
-</robot>
-"""
+from support.robots import write_probe
 
 
 @pytest.fixture(autouse=True)
 def files(run, tmp_path, tmp_path_factory, monkeypatch):
     """A bracket, a box and a robot in the working folder, and a cache of the tests' own."""
-    kept = tmp_path_factory.getbasetemp() / "pieces-cache"
-    monkeypatch.setenv(cache.FOLDER_VARIABLE, str(kept))
-    solids.write_obj(tmp_path / "l.obj", solids.l_bracket())
+    write_probe(tmp_path, "box.stl", tmp_path_factory, monkeypatch)
     solids.write_stl(tmp_path / "box.stl", solids.box((1, 2, 3)))
-    (tmp_path / "probe.urdf").write_text(ROBOT, encoding="utf-8")
     return tmp_path
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import runpy
-import shutil
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -16,7 +15,6 @@ from berthing.scenario.files import load
 from berthing.scenario.point_mass import PointMass
 from berthing.scenario.rigid_body import RigidBody
 from berthing.verify.folder import verify_folder
-from support import hand_made
 from support.shipped import planned_folder, to_be_certified
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -25,19 +23,6 @@ CHECK, FLY = (
     for name in ("09_check_certificate.py", "10_fly_the_controls.py")
 )
 Change = Callable[[dict[str, Any]], object]
-
-
-@pytest.fixture(scope="module")
-def template(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("template")
-    hand_made.write_folder(path, *hand_made.document_plan())
-    return path
-
-
-@pytest.fixture
-def folder(template: Path, tmp_path: Path) -> Path:
-    """A sound plan folder, to be spoilt."""
-    return Path(shutil.copytree(template, tmp_path / "plan"))
 
 
 def edit(folder: Path, name: str, change: Change) -> None:

@@ -5,27 +5,13 @@ import spiceypy
 
 from berthing.errors import InputError
 from berthing.export.epoch import SCALES, Epoch, parse_epoch
-
-# naif0012.tls without the leaps before 1999.
-LEAP_SECONDS = """KPL/LSK
-\\begindata
-DELTET/DELTA_T_A = 32.184
-DELTET/K = 1.657D-3
-DELTET/EB = 1.671D-2
-DELTET/M = ( 6.239996D0 1.99096871D-7 )
-DELTET/DELTA_AT = ( 32, @1999-JAN-1  33, @2006-JAN-1  34, @2009-JAN-1  35, @2012-JUL-1
-                    36, @2015-JUL-1  37, @2017-JAN-1 )
-\\begintext
-"""
+from support.leap_seconds import leap_seconds_loaded
 
 
 @pytest.fixture
 def leap_seconds(tmp_path):
-    kernel = tmp_path / "leap.tls"
-    kernel.write_text(LEAP_SECONDS)
-    with spiceypy.KernelPool([str(kernel)]):
+    with leap_seconds_loaded(tmp_path):
         yield
-    spiceypy.kclear()
 
 
 def epoch(text, scale=None):

@@ -4,29 +4,17 @@ import spiceypy
 from scipy.spatial.transform import Rotation
 
 from berthing.errors import InputError
+from support.leap_seconds import leap_seconds_loaded
 from support.plan_folder import assert_rotations
 
 CARRIER, FRAME = -100001, -100001000
-# Leap seconds as of 2017, and the constants of TDB − TT; as NAIF's naif0012.tls has them.
-LEAP_SECONDS = """KPL/LSK
-\\begindata
-DELTET/DELTA_T_A = 32.184
-DELTET/K = 1.657D-3
-DELTET/EB = 1.671D-2
-DELTET/M = ( 6.239996D0 1.99096871D-7 )
-DELTET/DELTA_AT = ( 36, @2015-JUL-1  37, @2017-JAN-1 )
-\\begintext
-"""
 
 
 @pytest.fixture
 def kernels(tmp_path):
     """Loads kernels, for one test only."""
-    lsk = tmp_path / "leap.tls"
-    lsk.write_text(LEAP_SECONDS)
-    with spiceypy.KernelPool([str(lsk)]):
+    with leap_seconds_loaded(tmp_path):
         yield lambda *paths: [spiceypy.furnsh(str(path)) for path in paths]
-    spiceypy.kclear()
 
 
 def start():

@@ -48,6 +48,9 @@ class Pool:
         found = self.given.pop(i)
         return [] if found is None else [(i, found)]
 
+    def close(self) -> None:
+        self.given.clear()
+
 
 def search(
     outcomes: list[Outcome | None], effort: str, order: list[int] | None = None,
@@ -55,16 +58,20 @@ def search(
 ) -> Search:  # fmt: skip
     pool = Pool({i: outcomes[i] for i in order or range(len(outcomes))})
     names = [f"guess {i}" for i in range(len(outcomes))]
-    return Search(
-        names, pool, EFFORTS[effort], PHASE, LENGTH_M, lambda *_: None, deadline  # type: ignore[arg-type]
-    )  # fmt: skip
+    return Search(names, pool, EFFORTS[effort], PHASE, LENGTH_M, lambda *_: None, deadline)
+
+
+def next_name(found: Search, certified: float | None = None) -> str | None:
+    """Of the next candidate."""
+    candidate = found.next_candidate(certified)
+    return candidate and candidate[0]
 
 
 def tried(found: Search, certified: float | None = None) -> list[str]:
     found.first_answers()
     out = []
-    while (candidate := found.next_candidate(certified)) is not None:
-        out.append(candidate[0])
+    while (name := next_name(found, certified)) is not None:
+        out.append(name)
     return out
 
 
@@ -83,7 +90,7 @@ def test_order_of_arrival_does_not_matter(effort: str, order: list[int]) -> None
 def test_fast_takes_the_first_answer_and_no_other_once_certified() -> None:
     found = search(MIXED, "fast")
     found.first_answers()
-    assert found.next_candidate(None)[0] == "guess 1"  # type: ignore[index]
+    assert next_name(found) == "guess 1"
     assert found.next_candidate(3.1) is None
 
 
@@ -91,7 +98,7 @@ def test_normal_stops_where_two_agree_on_the_cheapest() -> None:
     same = [outcome(2.0), outcome(2.0 * (1 + 1e-5)), outcome(1.0, 3.0)]
     found = search(same, "normal")
     found.first_answers()
-    assert found.next_candidate(None)[0] == "guess 0"  # type: ignore[index]
+    assert next_name(found) == "guess 0"
     assert "guess 2" not in tried(search(same, "normal"), certified=5.0)
     # Two that agree on a dearer way are no reason to stop.
     cheaper = [outcome(1.0, 3.0), outcome(2.0), outcome(2.0), outcome(0.5, -3.0)]
@@ -124,7 +131,7 @@ def test_a_mirror_image_is_refined_only_where_nothing_is_certified() -> None:
 def test_guesses_are_solved_until_one_can_be_certified() -> None:
     found = search([outcome(2.0), outcome(None), outcome(3.0, 2.0)], "fast")
     found.first_answers()
-    assert [found.next_candidate(None)[0] for _ in range(2)] == ["guess 0", "guess 2"]  # type: ignore[index]
+    assert [next_name(found) for _ in range(2)] == ["guess 0", "guess 2"]
     assert found.next_candidate(None) is None
 
 
@@ -135,4 +142,5 @@ def test_a_solve_that_died_holds_nobody_up() -> None:
 def test_past_the_deadline_nothing_more_is_solved() -> None:
     late = search(MIXED, "normal", deadline=time.monotonic() - 1.0)
     assert tried(late) == []
-    assert late.pool.polls == 0  # type: ignore[attr-defined]
+    assert isinstance(late.pool, Pool)
+    assert late.pool.polls == 0

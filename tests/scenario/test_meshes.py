@@ -21,31 +21,16 @@ from berthing.scenario.normal import document_sha256
 from berthing.scenario.rigid_body import RigidBody
 from berthing.scenario.scenario import Scenario
 from support import solids
+from support.robots import write_probe
 
 Document = dict[str, Any]
-
-ROBOT = """
-<robot name="probe">
-  <link name="bus">
-    <inertial><mass value="8"/><inertia ixx="1" iyy="1" izz="1"/></inertial>
-    <collision><geometry><box size="1 1 1"/></geometry></collision>
-  </link>
-  <link name="hand"><collision><geometry><mesh filename="l.obj"/></geometry></collision></link>
-  <joint name="wrist" type="continuous">
-    <origin xyz="1 0 0"/><parent link="bus"/><child link="hand"/><axis xyz="0 0 1"/>
-  </joint>
-</robot>
-"""
 
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, tmp_path_factory, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with a bracket, a block and a robot."""
-    kept = tmp_path_factory.getbasetemp() / "pieces-cache"
-    monkeypatch.setenv(cache.FOLDER_VARIABLE, str(kept))
-    solids.write_obj(tmp_path / "l.obj", solids.l_bracket())
+    write_probe(tmp_path, "l.obj", tmp_path_factory, monkeypatch)
     solids.write_stl(tmp_path / "block.stl", solids.box((500, 500, 500)))
-    (tmp_path / "probe.urdf").write_text(ROBOT, encoding="utf-8")
     return tmp_path
 
 

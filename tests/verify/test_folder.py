@@ -1,7 +1,6 @@
 """A folder is judged by its files alone, and bad files are bad input, never a crash."""
 
 import json
-import shutil
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -15,19 +14,6 @@ from berthing.trajectory_io import write_interpolant
 from berthing.verify.folder import read_plan, verify_folder
 
 FILES = ("plan.json", "interpolant.json", "nodes.csv", "trajectory.csv")
-
-
-@pytest.fixture(scope="module")
-def template(make, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("template")
-    make.write_folder(path, *make.document_plan())
-    return path
-
-
-@pytest.fixture
-def folder(template: Path, tmp_path: Path) -> Path:
-    """A sound plan folder, to be spoilt."""
-    return Path(shutil.copytree(template, tmp_path / "plan"))
 
 
 def edited(path: Path, change) -> None:

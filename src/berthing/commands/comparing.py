@@ -16,6 +16,7 @@ from berthing.comparison import METHODS, Comparison, compare
 from berthing.errors import InputError
 from berthing.report.comparison_table import HEADERS, NOTE, document, markdown, table_rows
 from berthing.scenario.files import load
+from berthing.whole_file import write_whole
 
 ENDINGS = (".json", ".md")
 
@@ -68,16 +69,12 @@ def _check(guesses: int | None, limit_s: float, out: Path | None) -> None:
 
 
 def _write(out: Path, found: Comparison) -> None:
-    """Under a temporary name first, so that no half a file is left."""
     text = json.dumps(document(found), indent=2, ensure_ascii=False) + "\n"
     if out.suffix == ".md":
         text = markdown(found)
-    temporary = out.with_name(f".{out.name}.part")
     try:
-        temporary.write_text(text, encoding="utf-8")
-        temporary.rename(out)
+        write_whole(out, text)
     except OSError as error:
-        temporary.unlink(missing_ok=True)
         raise InputError(str(out), f"cannot be written: {error.strerror or error}") from None
 
 

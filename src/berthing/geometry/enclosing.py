@@ -32,14 +32,24 @@ class Enclosure:
     placement: Pose
 
 
-def enclosing_ball(shape: ConvexSet) -> Enclosure:
-    """A ball that holds ``shape`` about the middle of its extents; the least one for a box."""
+def centred_ball(shape: ConvexSet) -> tuple[Array, float]:
+    """Centre (d,) and radius in m of a ball that holds ``shape``; the least one for a box.
+
+    The centre is the middle of the extents, not the shape's origin: a polytope may lie far from
+    its origin. The radius of an unbounded set is infinite, its centre a point of its boundary.
+    """
+    if not np.isfinite(shape.bounding_radius):
+        return shape.support(np.zeros(shape.dim))[1], np.inf
     middle, half = _extents(shape)
     if isinstance(shape, HasVertices):
-        radius = float(np.max(np.linalg.norm(shape.vertices() - middle, axis=1)))
-    else:
-        about_origin = shape.bounding_radius + float(np.linalg.norm(middle))
-        radius = min(float(np.linalg.norm(half)), about_origin)
+        return middle, float(np.max(np.linalg.norm(shape.vertices() - middle, axis=1)))
+    about_origin = shape.bounding_radius + float(np.linalg.norm(middle))
+    return middle, min(float(np.linalg.norm(half)), about_origin)
+
+
+def enclosing_ball(shape: ConvexSet) -> Enclosure:
+    """The centred ball of a bounded ``shape``, grown against rounding."""
+    middle, radius = centred_ball(shape)
     return Enclosure(
         Sphere(radius * (1.0 + GROWTH), shape.dim), Pose(middle, np.eye(shape.dim))
     )

@@ -10,12 +10,13 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Protocol
 
 import numpy as np
 
 from berthing.scenario.phase import Phase
 from berthing.solve.outcome import Outcome
-from berthing.solve.parallel import SolvePool, cores
+from berthing.solve.parallel import cores
 from berthing.transcription.problem import Motion
 
 SAME_PASSAGE = 0.25
@@ -50,6 +51,20 @@ EFFORTS = {
 }
 
 
+class Answers(Protocol):
+    """Where answers come from, such as a ``SolvePool``."""
+
+    @property
+    def busy(self) -> bool:
+        """Whether there are starts that have not ended."""
+
+    def poll(self, at_once: int, timeout_s: float | None) -> list[tuple[int, Outcome]]:
+        """Start and outcome of those that have ended; waits for one at least, at most so long."""
+
+    def close(self) -> None:
+        """Give up those that have not ended."""
+
+
 @dataclass
 class Search:
     """Guesses of one phase, solved in the pool's order.
@@ -62,7 +77,7 @@ class Search:
     """
 
     names: list[str]
-    pool: SolvePool
+    pool: Answers
     effort: Effort
     phase: Phase
     length_m: float

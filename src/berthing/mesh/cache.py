@@ -5,12 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import secrets
 from pathlib import Path
 from typing import Any
 
 from berthing.errors import InputError
 from berthing.mesh.decomposition import Decomposition
+from berthing.whole_file import write_whole
 
 # Raise it where the same input gives other pieces: what was cached before is not used any more.
 ALGORITHM = 2
@@ -35,11 +35,9 @@ def recalled(name: str) -> Decomposition | None:
 def keep(name: str, made: Decomposition) -> None:
     """Keep it for next time, if this user has a place for that."""
     path = _path(name)
-    draft = path.with_name(f".{name}.{secrets.token_hex(4)}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        draft.write_text(json.dumps(made.to_json()), encoding="ascii")
-        draft.replace(path)
+        write_whole(path, json.dumps(made.to_json()))
     except OSError:
         # A cache is a convenience: without one the work is done again.
         return

@@ -3,7 +3,7 @@
 from berthing.trajectory_io.columns import HEADER, trajectory_columns
 from berthing.trajectory_io.interpolant_json import Interpolant, read_interpolant, write_interpolant
 from berthing.trajectory_io.nodes_csv import read_nodes, write_nodes
-from berthing.trajectory_io.strict_json import read_object
+from berthing.trajectory_io.strict_json import read_object, read_versioned
 from berthing.trajectory_io.trajectory_csv import (
     MIN_SAMPLES,
     TrajectoryTable,
@@ -20,6 +20,7 @@ __all__ = [
     "read_nodes",
     "read_object",
     "read_trajectory",
+    "read_versioned",
     "trajectory_columns",
     "write_interpolant",
     "write_nodes",

@@ -18,9 +18,8 @@ from berthing.trajectory_io.strict_json import (
     names,
     number,
     objects,
-    read_object,
+    read_versioned,
     text,
-    whole,
 )
 
 SCHEMA_VERSION = 1
@@ -68,10 +67,7 @@ def read_interpolant(path: Path) -> Interpolant:
         InputError: the file is missing, malformed, of another schema, or holds numbers that are
             not finite.
     """
-    document, where = read_object(path), str(path)
-    version = whole(document, "schema_version", where)
-    if version != SCHEMA_VERSION:
-        raise InputError(f"{where}.schema_version", f"is {version}", str(SCHEMA_VERSION))
+    document, where = read_versioned(path, SCHEMA_VERSION), str(path)
     basis = text(document, "basis", where)
     if basis != BASIS:
         raise InputError(f"{where}.basis", f"is {basis!r}", BASIS)

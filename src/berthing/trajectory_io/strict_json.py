@@ -67,6 +67,19 @@ def read_object(path: Path) -> dict[str, Any]:
     return value
 
 
+def read_versioned(path: Path, version: int) -> dict[str, Any]:
+    """As ``read_object``, with this ``schema_version``.
+
+    Raises:
+        InputError: also where it has another one or none.
+    """
+    document, where = read_object(path), str(path)
+    found = whole(document, "schema_version", where)
+    if found != version:
+        raise InputError(f"{where}.schema_version", f"is {found}", str(version))
+    return document
+
+
 def _refuse(where: str, name: str) -> NoReturn:
     raise InputError(where, f"contains {name}", "finite numbers")
 

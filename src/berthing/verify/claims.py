@@ -15,7 +15,7 @@ import numpy as np
 
 from berthing.errors import InputError
 from berthing.geometry.arrays import Array
-from berthing.trajectory_io.strict_json import array, number, objects, read_object, text, whole
+from berthing.trajectory_io.strict_json import array, number, objects, read_versioned, text
 from berthing.verify.certificate import Certificate
 from berthing.verify.leaves import Leaves, Status
 from berthing.verify.tube import Tube
@@ -108,10 +108,7 @@ def read_claims(path: Path) -> Claims:
         InputError: the file is missing, malformed, of another schema, or holds numbers that are
             not finite.
     """
-    document, where = read_object(path), str(path)
-    version = whole(document, "schema_version", where)
-    if version != SCHEMA_VERSION:
-        raise InputError(f"{where}.schema_version", f"is {version}", str(SCHEMA_VERSION))
+    document, where = read_versioned(path, SCHEMA_VERSION), str(path)
     phases = [
         _phase(own, f"{where}.phases[{i}]")
         for i, own in enumerate(objects(document, "phases", where, empty=True))

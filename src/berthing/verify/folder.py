@@ -14,8 +14,8 @@ from berthing.trajectory import Plan
 from berthing.trajectory_io import (
     read_interpolant,
     read_nodes,
-    read_object,
     read_trajectory,
+    read_versioned,
 )
 from berthing.trajectory_io.strict_json import number, text, whole
 from berthing.verify.agreement import node_faults, table_faults
@@ -99,10 +99,7 @@ class _Folder(NamedTuple):
 def _read(folder: Path, trust: bool) -> _Folder:
     if not folder.is_dir():
         raise InputError(str(folder), "is not a folder", "a plan folder")
-    record, where = read_object(folder / PLAN_JSON), str(folder / PLAN_JSON)
-    version = whole(record, "schema_version", where)
-    if version != SCHEMA_VERSION:
-        raise InputError(f"{where}.schema_version", f"is {version}", str(SCHEMA_VERSION))
+    record, where = read_versioned(folder / PLAN_JSON, SCHEMA_VERSION), str(folder / PLAN_JSON)
     document = record.get("scenario")
     if not isinstance(document, dict):
         raise InputError(f"{where}.scenario", "is not a scenario", "the whole scenario")

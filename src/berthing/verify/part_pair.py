@@ -11,8 +11,8 @@ from berthing.clearance.plane import plane_bound
 from berthing.clearance.separation import PairQuery
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
-from berthing.geometry.capability import HasVertices
 from berthing.geometry.convex_set import ConvexSet
+from berthing.geometry.enclosing import centred_ball
 from berthing.geometry.pose import Pose
 from berthing.verify.frames import lifted
 from berthing.verify.pair_motion import RelativePose
@@ -86,16 +86,4 @@ def enclosing_ball(part: Part) -> Ball:
 @lru_cache(maxsize=4096)
 def _own_ball(shape: ConvexSet) -> Ball:
     """In the shape's own frame and dimension."""
-    if not np.isfinite(shape.bounding_radius):
-        return Ball(shape.support(np.zeros(shape.dim))[1], np.inf)
-    axes = np.eye(shape.dim)
-    upper, lower = shape.support(axes)[0], -shape.support(-axes)[0]
-    middle = 0.5 * (upper + lower)
-    return Ball(middle, _radius(shape, middle, 0.5 * (upper - lower)))
-
-
-def _radius(shape: ConvexSet, middle: Array, half: Array) -> float:
-    if isinstance(shape, HasVertices):
-        return float(np.max(np.linalg.norm(shape.vertices() - middle, axis=1)))
-    about_origin = shape.bounding_radius + float(np.linalg.norm(middle))
-    return min(float(np.linalg.norm(half)), about_origin)
+    return Ball(*centred_ball(shape))

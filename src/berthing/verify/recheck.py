@@ -38,7 +38,7 @@ from berthing.verify.settings import (
     CertificateSettings,
 )
 from berthing.verify.tube import EXACT, Tube, pair_tube
-from berthing.verify.verdict import CERTIFIED, PairVerdict, exempt, without_claim
+from berthing.verify.verdict import PairVerdict, certified, exempt, without_claim
 
 
 def check_claims(
@@ -191,18 +191,7 @@ def _verdict(
         gap = _gap(mine, t0, t1)
         if gap is not None:
             return without_claim(phase, pair, gap, margin, width_m)
-    excess = leaves.bound - leaves.required
-    worst = int(np.argmin(excess))
-    return PairVerdict(
-        phase,
-        pair,
-        CERTIFIED,
-        float(np.min(leaves.bound)),
-        float(leaves.required[worst]),
-        float(excess[worst]),
-        float(0.5 * (leaves.t0[worst] + leaves.t1[worst])),
-        tube_m=width_m,
-    )
+    return certified(phase, pair, leaves, width_m)
 
 
 def _gap(leaves: Leaves, t0: float, t1: float) -> tuple[float, float] | None:

@@ -81,6 +81,22 @@ class PairVerdict:
         return ""
 
 
+def certified(phase: str, pair: str, leaves: Leaves, tube_m: float) -> PairVerdict:
+    """A pair whose leaves (at least one) are all proven."""
+    excess = leaves.bound - leaves.required
+    worst = int(np.argmin(excess))
+    return PairVerdict(
+        phase,
+        pair,
+        CERTIFIED,
+        float(np.min(leaves.bound)),
+        float(leaves.required[worst]),
+        float(excess[worst]),
+        float(0.5 * (leaves.t0[worst] + leaves.t1[worst])),
+        tube_m=tube_m,
+    )
+
+
 def exempt(phase: str, pair: str, t0_s: float) -> PairVerdict:
     """A pair that may touch throughout."""
     return PairVerdict(phase, pair, EXEMPT, np.inf, None, np.inf, t0_s)
@@ -114,18 +130,7 @@ def judge(
     The proof rules: a sample that contradicts certified leaves is an error of the query, of some
     1e-9 m, for it is exact on the other side only up to the solver behind it.
     """
-    excess = leaves.bound - leaves.required
-    worst = int(np.argmin(excess))
-    verdict = PairVerdict(
-        phase,
-        pair,
-        CERTIFIED,
-        float(np.min(leaves.bound)),
-        float(leaves.required[worst]),
-        float(excess[worst]),
-        float(0.5 * (leaves.t0[worst] + leaves.t1[worst])),
-        tube_m=tube_m,
-    )
+    verdict = certified(phase, pair, leaves, tube_m)
     if np.all(leaves.status == int(Status.CERTIFIED)):
         return verdict
     depth = samples.required - samples.distance

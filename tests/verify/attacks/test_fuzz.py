@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 
 from berthing.verify.size_limits import LARGEST_DEGREE, MOST_PAIRS, MOST_SEGMENTS
-from support import hand_made, outside
+from support import outside
 from support.attacks import certified, reseal
 
 JSON_FILES = ("plan.json", "interpolant.json", "certificate.json")
@@ -34,18 +34,6 @@ NASTY: tuple[Any, ...] = (
     "\ud800", [], {}, [[]], [0.0] * 999, {"a": {}}, "x" * 10_000,
 )  # fmt: skip
 MEMORY_BYTES, SECONDS = 4 << 30, 90
-
-
-@pytest.fixture(scope="module")
-def template(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("template")
-    hand_made.write_folder(path, *hand_made.document_plan())
-    return path
-
-
-@pytest.fixture
-def folder(template: Path, tmp_path: Path) -> Path:
-    return Path(shutil.copytree(template, tmp_path / "plan"))
 
 
 def places(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
@@ -127,9 +115,9 @@ def test_damage_never_crashes(folder: Path, seed: int) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("block", range(10))
-def test_much_damage_never_crashes(template: Path, tmp_path: Path, block: int) -> None:
+def test_much_damage_never_crashes(hand_made_folder: Path, tmp_path: Path, block: int) -> None:
     for seed in range(1000 + 40 * block, 1040 + 40 * block):
-        folder = Path(shutil.copytree(template, tmp_path / str(seed)))
+        folder = Path(shutil.copytree(hand_made_folder, tmp_path / str(seed)))
         spoil(folder, seed)
         judge(folder)
         shutil.rmtree(folder)

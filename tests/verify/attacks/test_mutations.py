@@ -6,7 +6,6 @@ here is refused for what it says, not for its seal. The small checkers refuse al
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -14,24 +13,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from support import hand_made
 from support.attacks import accepted, certified, edit, reseal
 
 Document = dict[str, Any]
 Change = Callable[[Document], object]
-
-
-@pytest.fixture(scope="module")
-def template(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("template")
-    hand_made.write_folder(path, *hand_made.document_plan())
-    return path
-
-
-@pytest.fixture
-def folder(template: Path, tmp_path: Path) -> Path:
-    """A sound plan folder: a body that turns on its way past a block."""
-    return Path(shutil.copytree(template, tmp_path / "plan"))
 
 
 def craft(document: Document) -> Document:

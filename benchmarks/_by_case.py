@@ -1,0 +1,31 @@
+"""What benchmarks over cases and seeds share: their options, and rows that are printed and kept."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+
+Rows = Callable[[str, int], Iterable[Iterable[dict]]]
+
+
+def run(
+    name: str, cases: Sequence[str], rows_of: Rows, table: Callable[[list[dict]], str],
+    arguments: list[str],
+) -> int:  # fmt: skip
+    """Take ``rows_of(case, seeds)`` group by group, print the table, write the rows."""
+    parser = argparse.ArgumentParser(prog=f"python -m benchmarks {name}")
+    parser.add_argument("--json", type=Path)
+    parser.add_argument("--seeds", type=int, default=20)
+    parser.add_argument("--case", action="append", choices=cases)
+    options = parser.parse_args(arguments)
+    rows: list[dict] = []
+    for case in options.case or cases:
+        for group in rows_of(case, options.seeds):
+            rows += group
+            print(rows[-1], flush=True)
+    print(table(rows))
+    if options.json:
+        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+    return 0
