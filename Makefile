@@ -44,8 +44,8 @@ test-slow: $(VENV)/.ready
 test-browser: $(VENV)/.ready
 	$(BIN)/pytest -m browser tests/browser
 
-# viewer/ is the source of src/berthing/report/offline/assets, which are committed: users need no
-# node. Packages are checked against the hashes of the lock, which has no addresses.
+# viewer/ is the source of the script and style in src/berthing/report/offline/assets, which are
+# committed: users need no node. Packages are checked against the hashes of the lock, which has no addresses.
 viewer/node_modules/.ready: viewer/package.json viewer/package-lock.json
 	cd viewer && npm ci --ignore-scripts --no-audit --no-fund
 	@touch $@

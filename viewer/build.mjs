@@ -50,7 +50,6 @@ const { script, style } = await bundle();
 const made = {
   "viewer.js": inlined(script),
   "viewer.css": style,
-  "page.html": await text("src/page.html"),
   "LICENCES.txt": await licences(),
 };
 const check = process.argv.includes("--check");

@@ -66,8 +66,14 @@ def test_the_page_has_what_its_source_says_it_contains():
     assert set(wanted) == {"three", "uplot"}
     for name, version in wanted.items():
         assert f"{name} {version}\n" in licences
+
+
+def test_the_page_has_every_element_that_its_script_asks_for():
     page = text("src/berthing/report/offline/assets/page.html")
-    assert page == text("viewer/src/page.html")
+    scripts = "".join(path.read_text("utf-8") for path in (ROOT / "viewer/src").glob("**/*.ts"))
+    asked = set(re.findall(r'\belement(?:<\w+>)?\("([\w-]+)"\)', scripts))
+    assert {"time", "canvas", "play"} <= asked
+    assert asked <= set(re.findall(r'\bid="([\w-]+)"', page))
 
 
 def test_the_scenario_in_the_readme_is_one():

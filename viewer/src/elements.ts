@@ -1,4 +1,4 @@
-// Elements of the page by their ids, which page.html promises.
+// Elements of the page by their ids, which page.html among the assets promises.
 
 export function element<T extends HTMLElement = HTMLElement>(id: string): T {
   const found = document.getElementById(id);
