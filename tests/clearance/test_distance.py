@@ -9,6 +9,7 @@ import pytest
 
 import berthing as bt
 from berthing.clearance import kernel as kernel_module
+from berthing.clearance import set_numbers as set_numbers_module
 from berthing.clearance.set_numbers import set_numbers
 from berthing.errors import CapabilityError, InputError
 from berthing.geometry import quaternion
@@ -262,6 +263,29 @@ def test_sources_compile_without_a_warning(tmp_path) -> None:
     command = [compiler, "-Wall", "-Wextra", "-Werror", "-std=c11", "-O1", "-c"]
     command += [str(kernel_module.SOURCES / "kernel.c"), "-o", str(tmp_path / "kernel.o")]
     assert kernel_module.subprocess.run(command, check=False).returncode == 0
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.7])
+@pytest.mark.parametrize("exponents", [(8.0, 8.0, 8.0), (250.0, 3.0, 40.0)], ids=str)
+def test_formulas_for_smoothed_boxes_agree_with_the_search(
+    exponents: tuple[float, ...], offset: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A smoothed box by its own formulas, and by the search that any smoothed polytope goes to."""
+    A, b = CUBE.halfspaces()
+    given = A, b + offset * A[:, 0], np.tile(exponents, 2)
+    box, other = SmoothedPolytope(*given), SHAPES["pillow"]
+    poses = random_poses(np.random.default_rng(4), box, other, 40)
+    found = bt.distance(box, other, poses)
+    assert faults(found, box, poses[0], other, poses[1]) == []
+    monkeypatch.setattr(set_numbers_module, "STEEPEST", 0.0)
+    searched = SmoothedPolytope(*given)
+    numbers = set_numbers(box), set_numbers(searched)
+    assert [int(n[0]) for n in numbers] == [
+        set_numbers_module.SMOOTHED_BOX,
+        set_numbers_module.LOG_SUM_EXP,
+    ]
+    again = bt.distance(searched, other, poses)
+    np.testing.assert_allclose(again.distance, found.distance, atol=BRACKET)
 
 
 def test_every_shape_but_intersections_is_compiled() -> None:

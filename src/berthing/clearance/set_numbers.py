@@ -28,7 +28,9 @@ from berthing.geometry.truncated_cone import TruncatedCone
 
 # As in native/shape.h.
 POINT, SEGMENT, BOX, ELLIPSOID, CYLINDER, FRUSTUM, POLYTOPE = map(float, range(7))
-SUPERELLIPSOID, LOG_SUM_EXP, HALF_SPACE = 7.0, 8.0, 9.0
+SUPERELLIPSOID, LOG_SUM_EXP, HALF_SPACE, SMOOTHED_BOX = 7.0, 8.0, 9.0, 10.0
+# Of exponent times half size: the kernel's formulas for boxes square exp of it.
+STEEPEST = 300.0
 # Rows beyond this many are not approached by way of rounder sets: see native/support.h.
 MOST_ROWS = 256
 
@@ -89,9 +91,26 @@ def _superellipsoid(shape: Superellipsoid) -> Core:
 
 def _log_sum_exp(shape: SmoothedPolytope) -> Core:
     natural = log(shape.base) * shape.exponents
+    box = _smoothed_box(shape.A, shape.b, natural)
+    if box is not None:
+        return SMOOTHED_BOX, shape.hill.size, box
     rows, centre = _in_space(natural[:, None] * shape.A), _in_space(shape.centre[None])[0]
     numbers = [float(len(rows)), *centre, *rows.ravel(), *(natural * shape.b)]
     return LOG_SUM_EXP, shape.hill.size, numbers
+
+
+def _smoothed_box(A: Array, b: Array, natural: Array) -> list[float] | None:
+    """For two rows an axis, one each way, of the same exponent; None for other polytopes."""
+    dim, axes = A.shape[1], np.argmax(np.abs(A), axis=1)
+    order = np.lexsort((-A[np.arange(len(A)), axes], axes))
+    pairs = np.stack([np.eye(dim), -np.eye(dim)], axis=1).reshape(-1, dim)
+    if len(A) != 2 * dim or not np.array_equal(A[order], pairs):
+        return None
+    (up, down), (q, also) = b[order].reshape(dim, 2).T, natural[order].reshape(dim, 2).T
+    reach = 0.5 * (up + down)
+    if not np.array_equal(q, also) or np.max(q * reach) > STEEPEST:
+        return None
+    return [x for row in (0.5 * (up - down), q, np.exp(-q * reach), reach) for x in _solid(row)]
 
 
 def _half_space(shape: HalfSpace) -> Core:

@@ -5,18 +5,7 @@
    sets cannot part by less. Each normal bounds it from above, as planes do. */
 #ifndef EXPANDING_H
 #define EXPANDING_H
-#include "gjk.h"
-
-enum { MOST_POINTS = 700, MOST_FACES = 2 * MOST_POINTS };
-
-typedef struct { int v[3], next[3], alive; V m; double d; } Face; /* next[i] lies across v[i] v[i+1] */
-
-typedef struct {
-    Vertex p[MOST_POINTS];
-    Face f[MOST_FACES];
-    int points, faces, free[MOST_FACES], n_free;
-    int seen[MOST_FACES], edge[MOST_FACES][3], made[MOST_FACES]; /* while it grows */
-} Hull;
+#include "face_heap.h"
 
 /* What the search found: at best the sets part by -`lower` along `normal`, and not by less
    than -`upper`. */
@@ -29,6 +18,7 @@ static int set_face(Hull *h, int f, int a, int b, int c)
     double size = length(m);
     face->v[0] = a; face->v[1] = b; face->v[2] = c;
     face->alive = 1;
+    face->place = -1;
     if (!(size > 0.0)) { face->m = vec(0, 0, 0); face->d = INFINITY; return 0; }
     face->m = mul(1.0 / size, m);
     /* The mean of the corners' offsets rounds least. */
@@ -48,7 +38,7 @@ static int first_hull(Hull *h)
         for (int j = 0; j < 3; j++) h->f[i].next[j] = across[i][j];
     }
     h->faces = 4;
-    h->n_free = 0;
+    h->n_free = h->waiting = 0;
     return 1;
 }
 
@@ -87,7 +77,7 @@ static int first_points(Pair *pair, Hull *h, V *flat)
     Vertex up = lowest(pair, m, &bound), down = lowest(pair, mul(-1.0, m), &bound);
     double below = fabs(dot(m, sub(up.y, h->p[0].y)));
     double above = fabs(dot(m, sub(down.y, h->p[0].y)));
-    if (fmax(below, above) <= thin) return 2;
+    if (larger(below, above) <= thin) return 2;
     h->p[3] = below > above ? up : down;
     h->points = 4;
     return 3;
@@ -130,7 +120,8 @@ static void link_across(Hull *h, int f, int a, int b, int g)
         if (h->f[f].v[k] == a && h->f[f].v[(k + 1) % 3] == b) h->f[f].next[k] = g;
 }
 
-/* Adds the last point, which sees the face `seed`; 0 where rounding leaves no sound hull. */
+/* Adds the last point, which sees the face `seed`. Returns the number of faces made, or 0 where
+   rounding leaves no sound hull. */
 static int grow(Hull *h, int seed, double thin)
 {
     int n_seen, p = h->points - 1, *seen = h->seen, (*edge)[3] = h->edge, *made = h->made;
@@ -141,10 +132,8 @@ static int grow(Hull *h, int seed, double thin)
         if (f >= MOST_FACES) return 0;
         made[i] = f;
     }
-    for (int i = n_edges; i < n_seen; i++) {
-        h->f[seen[i]].d = INFINITY;
-        h->free[h->n_free++] = seen[i];
-    }
+    for (int i = 0; i < n_seen; i++) withdraw(h, seen[i]);
+    for (int i = n_edges; i < n_seen; i++) h->free[h->n_free++] = seen[i];
     for (int i = 0; i < n_edges; i++) {
         if (!set_face(h, made[i], edge[i][0], edge[i][1], p)) return 0;
         h->f[made[i]].next[0] = edge[i][2];
@@ -159,36 +148,42 @@ static int grow(Hull *h, int seed, double thin)
             }
     for (int i = 0; i < n_edges; i++)
         if (h->f[made[i]].next[1] < 0 || h->f[made[i]].next[2] < 0) return 0;
-    return 1;
+    return n_edges;
 }
 
-static int lowest_face(const Hull *h)
+/* New faces wait to be looked at, unless they prove enough as they are. Returns the most that one of
+   those leaves open, or the `passed` before. */
+static double sort_out(Hull *h, const int *faces, int n, double enough, double passed)
 {
-    int best = -1;
-    for (int i = 0; i < h->faces; i++)
-        if (best < 0 || h->f[i].d < h->f[best].d) best = i;
-    return best;
+    for (int i = 0; i < n; i++) {
+        double depth = -h->f[faces[i]].d;
+        if (depth > enough) enter(h, faces[i]);
+        else passed = larger(passed, depth);
+    }
+    return passed;
 }
 
 /* From a normal whose bound is known; ends where no other normal can be better by more than the
    tolerance, or where points run out: `upper` says how much is left open. */
 static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
 {
-    double bound;
+    static const int first[4] = {0, 1, 2, 3};
+    double bound, passed = -INFINITY;
     V flat;
     if (first_points(pair, h, &flat) < 3) {
         lowest(pair, flat, &bound);
-        return bound > found.lower ? (Depth){bound, fmax(bound, 0.0), flat} : found;
+        return bound > found.lower ? (Depth){bound, larger(bound, 0.0), flat} : found;
     }
     if (!first_hull(h)) return found;
     pair->slack = 0.1 * tolerance;
+    passed = sort_out(h, first, 4, found.lower + tolerance, passed);
     for (;;) {
-        int f = lowest_face(h);
-        if (f < 0 || !h->f[f].alive) break;
+        int f = h->waiting ? h->heap[0] : -1;
+        double depth = larger(passed, f < 0 ? -INFINITY : -h->f[f].d);
+        if (depth <= 0.0) found.upper = fmin(found.upper, depth);
+        if (f < 0 || found.lower >= -h->f[f].d - tolerance) break;
         double d = h->f[f].d;
         V n = mul(-1.0, h->f[f].m);
-        if (d >= 0.0) found.upper = fmin(found.upper, -d);
-        if (found.lower >= -d - tolerance) break;
         const Vertex *near = &h->p[h->f[f].v[0]];
         pair->memory_a.point = near->a;
         pair->memory_b.point = near->b;
@@ -196,7 +191,9 @@ static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
         if (bound > found.lower) { found.lower = bound; found.normal = n; }
         if (dot(h->f[f].m, v.y) - d <= tolerance || h->points == MOST_POINTS) break;
         h->p[h->points++] = v;
-        if (!grow(h, f, 1e-14 * pair->size)) break;
+        int made = grow(h, f, 1e-14 * pair->size);
+        if (!made) break;
+        passed = sort_out(h, h->made, made, found.lower + tolerance, passed);
     }
     pair->slack = 0.0;
     return found;

@@ -29,7 +29,7 @@ static int first_triangle(Pair *pair, Vertex *p, V *flat)
     *flat = m;
     Vertex low = lowest(pair, m, &bound), high = lowest(pair, mul(-1.0, m), &bound);
     double below = -dot(m, sub(low.y, p[0].y)), above = dot(m, sub(high.y, p[0].y));
-    if (fmax(below, above) <= thin) return 2;
+    if (larger(below, above) <= thin) return 2;
     if (above >= below) { p[2] = high; return 3; }
     p[2] = p[1];
     p[1] = low;
@@ -43,7 +43,7 @@ static Depth expand_plane(Pair *pair, Hull *h, Depth found, double tolerance)
     int n = first_triangle(pair, h->p, &flat);
     if (n < 3) {
         lowest(pair, flat, &bound);
-        return bound > found.lower ? (Depth){bound, fmax(bound, 0.0), flat} : found;
+        return bound > found.lower ? (Depth){bound, larger(bound, 0.0), flat} : found;
     }
     for (;;) {
         double d = INFINITY;

@@ -108,7 +108,7 @@ static int newton_step(const Pair *pair, const State *st, V *u, V *v)
     if (!(fabs(det) > 0.0) || !isfinite(det)) return 0;
     double u1 = (d * r1 - b * r2) / det, u2 = (a * r2 - c * r1) / det;
     double v1 = u1 + s * (A[0] * u1 + A[1] * u2) - t1, v2 = u2 + s * (A[1] * u1 + A[2] * u2) - t2;
-    double far = fmax(hypot(u1, u2), hypot(v1, v2)), most = 0.3 * pair->size;
+    double far = sqrt(larger(u1 * u1 + u2 * u2, v1 * v1 + v2 * v2)), most = 0.3 * pair->size;
     double cut = far > most ? most / far : 1.0;
     *u = mul(cut, plus(mul(u1, s1), u2, s2));
     *v = mul(cut, plus(mul(v1, s1), v2, s2));
@@ -121,8 +121,8 @@ static Answer answer_of(const Pair *pair, const State *st, V w, V p)
 {
     V n = unit_or(sub(st->n, st->nb), st->n);
     double loss = 0.5 * length(add(st->n, st->nb)) * (pair->a.size + pair->b.size);
-    if (pair->a.kind != POINT) loss += fmax(-st->la.f / length(st->la.g), 0.0);
-    if (pair->b.kind != POINT) loss += fmax(-st->lb.f / length(st->lb.g), 0.0);
+    if (pair->a.kind != POINT) loss += larger(-st->la.f / length(st->la.g), 0.0);
+    if (pair->b.kind != POINT) loss += larger(-st->lb.f / length(st->lb.g), 0.0);
     double lower = dot(n, st->e) - loss;
     Answer answer = {lower, st->s > 0.0 ? length(st->e) : INFINITY, n, w, p, st->s <= 0.0};
     return answer;

@@ -55,7 +55,7 @@ static Answer settle(Path *path, Answer start)
         double same = 1e3 * rounding;
         if (bound > best.lower + same || (bound >= best.lower - same && moved <= least)) {
             least = moved;
-            best.lower = fmax(bound, best.lower);
+            best.lower = larger(bound, best.lower);
             best.normal = n;
             best.a = parted.a;
             best.b = parted.b;
@@ -108,14 +108,14 @@ static Answer overlapping(Path *path, Answer known)
             Answer polished;
             if (newton(pair, &at, &polished) && polished.lower >= depth.lower - path->depth_tolerance) {
                 path->closest = at;
-                polished.upper = fmax(depth.upper, polished.lower);
+                polished.upper = larger(depth.upper, polished.lower);
                 polished.overlap = 1;
                 return polished;
             }
         }
         best = settle(path, best);
     }
-    best.upper = fmax(depth.upper, best.lower);
+    best.upper = larger(depth.upper, best.lower);
     best.overlap = 1;
     return best;
 }

@@ -17,7 +17,8 @@ enum {
     POLYTOPE,       /* count, vertices */
     SUPERELLIPSOID, /* reaches, exponents */
     LOG_SUM_EXP,    /* count, centre, rows Q a, offsets Q b */
-    HALF_SPACE      /* outward unit normal, offset */
+    HALF_SPACE,     /* outward unit normal, offset */
+    SMOOTHED_BOX    /* middle m, exponents q, weights k, reaches (-ln k)/q */
 };
 
 typedef struct {
@@ -40,6 +41,8 @@ static inline Shape shape_from(const double *numbers, int dim)
 
 static inline V three(const double *d) { return vec(d[0], d[1], d[2]); }
 static inline double signed_by(double size, double n) { return n < 0.0 ? -size : size; }
+
+static inline double larger(double a, double b) { return a > b ? a : b; }
 
 static inline V across_axis(V n, int axis)
 {
@@ -77,41 +80,40 @@ static inline V polytope_point(const double *d, V n)
     return three(d + 1 + 3 * best);
 }
 
-/* By the multiplier of max n·x: each term (x_i/r_i)^P_i is (k_i/m)^q_i with k_i = |n_i| r_i/P_i and
-   q_i = P_i/(P_i - 1). Newton's method for ln m from below, on a convex falling function; exact at
-   once where all exponents are the same. */
+/* By the multiplier m of max n·x: (x_i/r_i)^(P_i - 1) = k_i/m with k_i = |n_i| r_i/P_i, and the
+   terms (x_i/r_i)^P_i = (k_i/m)^q_i, q_i = P_i/(P_i - 1), make 1: Newton's method for ln m from
+   below, on a convex falling function; exact at once where all exponents are the same. */
 static inline V superellipsoid_point(const double *d, V n)
 {
     const double *r = d, *P = d + 3;
-    double logs[3], s = 0.0, largest = 0.0, terms[3] = {0.0, 0.0, 0.0};
+    double root[3], whole[3], s = 0.0, largest = 0.0, fall = 1.0;
     for (int i = 0; i < 3; i++) {
-        logs[i] = fabs(at(n, i)) * r[i] / P[i];
-        largest = fmax(largest, logs[i]);
+        whole[i] = fabs(at(n, i)) * r[i] / P[i];
+        largest = larger(largest, whole[i]);
     }
-    if (largest <= 0.0) return vec(0.0, 0.0, 0.0);
-    for (int i = 0; i < 3; i++) logs[i] = log(logs[i] / largest); /* -inf is welcome */
+    if (!(largest > 0.0)) return vec(0.0, 0.0, 0.0);
+    for (int i = 0; i < 3; i++) {
+        double k = whole[i] / largest;
+        root[i] = P[i] == 2.0 || k == 0.0 || k == 1.0 ? k : exp(log(k) / (P[i] - 1.0));
+        whole[i] = k * root[i];
+    }
+    int same = P[0] == P[1] && P[1] == P[2];
     for (int step = 0; step < 40; step++) {
         double total = 0.0, slope = 0.0;
         for (int i = 0; i < 3; i++) {
             double q = P[i] / (P[i] - 1.0);
-            terms[i] = exp(q * (logs[i] - s));
-            total += terms[i];
-            slope += q * terms[i];
+            if (s > 0.0 && (i == 0 || P[i] != P[i - 1])) fall = exp(-q * s);
+            total += whole[i] * fall;
+            slope += q * whole[i] * fall;
         }
         double more = log(total) * total / slope;
         s += more;
-        /* Exact at once for equal exponents; else quadratic, and the next step below rounding. */
-        if ((P[0] == P[1] && P[1] == P[2]) || more <= 1e-9 * (1.0 + fabs(s))) break;
+        if (same || more <= 1e-7) break; /* quadratic */
     }
     V p;
-    double total = 0.0;
     for (int i = 0; i < 3; i++) {
-        terms[i] = exp(P[i] / (P[i] - 1.0) * (logs[i] - s));
-        total += terms[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        double x = P[i] == 2.0 ? sqrt(terms[i] / total) : pow(terms[i] / total, 1.0 / P[i]);
-        put(&p, i, copysign(r[i] * x, at(n, i)));
+        if (i == 0 || P[i] != P[i - 1]) fall = exp(-s / (P[i] - 1.0));
+        put(&p, i, copysign(r[i] * root[i] * fall, at(n, i)));
     }
     return p;
 }

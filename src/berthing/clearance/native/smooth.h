@@ -1,10 +1,7 @@
 /* Sets {f <= 0} with one smooth f: superellipsoids, ellipsoids, balls and smoothed polytopes. */
 #ifndef SMOOTH_H
 #define SMOOTH_H
-#include "shape.h"
-
-/* f, its gradient, and its Hessian as xx, yy, zz, xy, xz, yz. */
-typedef struct { double f; V g; double h[6]; } Level;
+#include "smooth_box.h"
 
 static inline double power(double x, int n)
 {
@@ -34,7 +31,7 @@ static inline Level exponential_level(const double *d, V x)
     const double *rows = d + 4, *offsets = rows + 3 * count;
     double largest = -INFINITY, total = 0.0;
     Level l = {0.0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}};
-    for (int j = 0; j < count; j++) largest = fmax(largest, dot(three(rows + 3 * j), x) - offsets[j]);
+    for (int j = 0; j < count; j++) largest = larger(largest, dot(three(rows + 3 * j), x) - offsets[j]);
     for (int j = 0; j < count; j++) {
         V a = three(rows + 3 * j);
         double z = dot(a, x) - offsets[j] - largest;
@@ -59,7 +56,7 @@ static inline double exponential_along(const double *d, V x, V ray, double *slop
     int count = (int)d[0];
     const double *rows = d + 4, *offsets = rows + 3 * count;
     double largest = -INFINITY, total = 0.0, rise = 0.0;
-    for (int j = 0; j < count; j++) largest = fmax(largest, dot(three(rows + 3 * j), x) - offsets[j]);
+    for (int j = 0; j < count; j++) largest = larger(largest, dot(three(rows + 3 * j), x) - offsets[j]);
     for (int j = 0; j < count; j++) {
         V a = three(rows + 3 * j);
         double z = dot(a, x) - offsets[j] - largest;
@@ -76,45 +73,47 @@ static const double TWOS[3] = {2.0, 2.0, 2.0};
 
 static inline int is_smooth(const Shape *s)
 {
-    return s->kind == ELLIPSOID || s->kind == SUPERELLIPSOID || s->kind == LOG_SUM_EXP;
+    return s->kind == ELLIPSOID || s->kind == SUPERELLIPSOID || s->kind == LOG_SUM_EXP ||
+           s->kind == SMOOTHED_BOX;
 }
 
 static inline Level level_of(const Shape *s, V x)
 {
     if (s->kind == LOG_SUM_EXP) return exponential_level(s->data, x);
+    if (s->kind == SMOOTHED_BOX) return box_level(s->data, s->dim, x);
     return power_level(s->data, s->kind == ELLIPSOID ? TWOS : s->data + 3, s->dim, x);
 }
 
 static inline V middle(const Shape *s)
 {
+    if (s->kind == SMOOTHED_BOX) return three(s->data);
     return s->kind == LOG_SUM_EXP ? three(s->data + 1) : vec(0.0, 0.0, 0.0);
 }
 
-/* Terms of the sum at c x, for a ray through the origin: Newton's method in ln c, in which the
-   logarithm of the sum is convex and nearly straight. */
+/* Along a ray through the origin: Newton's method in ln c, c the factor of x, in which the logarithm
+   of the sum is convex and nearly straight. */
 static inline V power_boundary(const double *r, const double *P, int dim, V x)
 {
-    double t[3], s = 0.0;
-    for (int i = 0; i < dim; i++) t[i] = power(at(x, i) / r[i], (int)P[i]);
     for (int step = 0; step < 60; step++) {
         double total = 0.0, slope = 0.0;
         for (int i = 0; i < dim; i++) {
-            double term = s == 0.0 ? t[i] : t[i] * exp(P[i] * s);
+            double term = power(at(x, i) / r[i], (int)P[i]);
             total += term;
             slope += P[i] * term;
         }
         if (!(total > 0.0) || !isfinite(total)) return x;
-        double more = (fabs(total - 1.0) < 1e-3 ? log1p(total - 1.0) : log(total)) * total / slope;
-        s -= more;
-        if (fabs(more) < 1e-9) break;
+        double less = log_near_one(total) * total / slope;
+        x = mul(fabs(less) < 1e-3 ? 1.0 - less * (1.0 - 0.5 * less) : exp(-less), x);
+        if (fabs(less) < 1e-8) break; /* quadratic */
     }
-    return s == 0.0 ? x : mul(exp(s), x);
+    return x;
 }
 
 /* Where the ray from the middle through x leaves the set. f is convex along it, so that Newton's
    method comes from outside and stays there. */
 static inline V boundary(const Shape *s, V x)
 {
+    if (s->kind == SMOOTHED_BOX) return box_boundary(s->data, s->dim, x);
     if (s->kind != LOG_SUM_EXP)
         return power_boundary(s->data, s->kind == ELLIPSOID ? TWOS : s->data + 3, s->dim, x);
     V c = middle(s), ray = sub(x, c);
@@ -138,7 +137,7 @@ static inline V hessian_times(const double *h, V v)
 static inline int uphill(const Shape *s, V n, V *x, const Level *l, V left, double rise)
 {
     V e1, e2;
-    double g = length(l->g), m = fmax(rise / g, 1e-16);
+    double g = length(l->g), m = larger(rise / g, 1e-16);
     tangents(mul(1.0 / g, l->g), s->dim, &e1, &e2);
     double a = m * dot(e1, hessian_times(l->h, e1)), b = m * dot(e1, hessian_times(l->h, e2));
     double c = m * dot(e2, hessian_times(l->h, e2)), reg = 1e-14 * (a + c) + 1e-16 / s->size;
@@ -171,10 +170,10 @@ static inline Support climb(const Shape *s, V n, V start, double enough)
         l = level_of(s, x);
         double g = length(l.g), rise = dot(n, l.g) / g;
         V left = plus(n, -rise / g, l.g);
-        double slack = length(left) * s->size + fmax(-l.f / g, 0.0);
+        double slack = length(left) * s->size + larger(-l.f / g, 0.0);
         stalled = slack < 0.5 * best.slack ? 0 : stalled + (best.slack < 1e-9 * s->size);
         if (slack < best.slack) best = (Support){x, slack};
-        if (slack <= fmax(1e-14 * s->size, enough) || !uphill(s, n, &x, &l, left, rise)) break;
+        if (slack <= larger(1e-14 * s->size, enough) || !uphill(s, n, &x, &l, left, rise)) break;
     }
     return best;
 }

@@ -30,7 +30,7 @@ static Support by_rounder_sets(const Shape *s, V n)
 
 static Support log_sum_exp_point(const Shape *s, V n, Memory *memory, double enough)
 {
-    double limit = fmax(ASTRAY * s->size, enough);
+    double limit = larger(ASTRAY * s->size, enough);
     V straight = plus(middle(s), s->size, n);
     Support found = climb(s, n, memory->known ? memory->point : straight, enough);
     if (found.slack > limit && memory->known) {
@@ -74,6 +74,9 @@ static Support support(const Shape *s, V n, Memory *memory, double enough)
         break;
     case SUPERELLIPSOID:
         p = superellipsoid_point(d, n);
+        break;
+    case SMOOTHED_BOX:
+        p = box_point(d, s->dim, n);
         break;
     case LOG_SUM_EXP:
         return log_sum_exp_point(s, n, memory, enough);
