@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from berthing.geometry.sphere import Sphere
     from berthing.planner import plan
     from berthing.replanning import Planner
+    from berthing.routes.checker import Checker
     from berthing.scenario.attitude import AxisAttitude, FixedAttitude, FreeAttitude
     from berthing.scenario.cost import Cost, RunningCost
     from berthing.scenario.files import from_document, load
@@ -47,6 +48,7 @@ __all__ = [
     "AxisAttitude",
     "Body",
     "Box",
+    "Checker",
     "ConstantSpin",
     "ConstantVelocity",
     "Cost",
@@ -91,6 +93,7 @@ _HOMES = {
     "distance": "berthing.clearance.placed_distance",
     "SignedDistance": "berthing.clearance.signed_distance",
     "Planner": "berthing.replanning",
+    "Checker": "berthing.routes.checker",
     "load": "berthing.scenario.files",
     "from_document": "berthing.scenario.files",
     "verify_folder": "berthing.verify.folder",

@@ -29,6 +29,8 @@ from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
 from berthing.verify.tube import Tube, pair_tube
 from berthing.verify.verdict import PairVerdict, exempt, judge, unproven
 
+NO_TUBES: Mapping[str, Tube] = {}
+
 
 @dataclass(frozen=True)
 class Evidence:
@@ -94,8 +96,24 @@ def certify(
     Raises:
         CapabilityError: a model, motion law or shape that the certificate does not know.
     """
-    motions, tubes = Motions(trajectory), tubes or {}
+    motions = Motions.along(trajectory)
     windows = windows_of(scenario, phase, motions.span_s)
+    return certify_motions(scenario, phase, motions, windows, settings, tubes or {})
+
+
+def certify_motions(
+    scenario: Scenario,
+    phase: Phase,
+    motions: Motions,
+    windows: Windows,
+    settings: CertificateSettings = DEFAULT_CERTIFICATE,
+    tubes: Mapping[str, Tube] = NO_TUBES,
+) -> Certificate:
+    """The same of motions that are no interpolant of a plan, with the margins of ``windows``.
+
+    Raises:
+        CapabilityError: as above.
+    """
     verdicts: dict[str, PairVerdict] = {}
     evidence: list[Evidence] = []
     closest: list[tuple[str, float, float]] = []

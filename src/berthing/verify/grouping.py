@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from berthing.geometry.body import Part
 from berthing.geometry.pose import Pose
@@ -25,12 +25,25 @@ Windows = Mapping[str, Sequence[tuple[float, float, float | None]]]
 
 
 class Motions:
-    """Motions of the frames of one phase, each built once."""
+    """Motions of the frames of one phase over ``span_s``, each built once.
 
-    def __init__(self, trajectory: PhaseTrajectory) -> None:
-        self._trajectory = trajectory
-        self.span_s = trajectory.t0_s, trajectory.t1_s
+    Args:
+        of_vehicle: builds that of a vehicle.
+    """
+
+    def __init__(
+        self, span_s: tuple[float, float], of_vehicle: Callable[[Vehicle], BodyMotion]
+    ) -> None:
+        self.span_s, self._of_vehicle = span_s, of_vehicle
         self._built: dict[str, BodyMotion] = {}
+
+    @staticmethod
+    def along(trajectory: PhaseTrajectory) -> Motions:
+        """As the interpolants of the phase say."""
+        return Motions(
+            (trajectory.t0_s, trajectory.t1_s),
+            lambda own: vehicle_motion(own.model, trajectory.vehicle(own.name)),
+        )
 
     def bodies(self, pair: Pair) -> BodyPair:
         """The two bodies of a pair.
@@ -51,7 +64,7 @@ class Motions:
             return structure_motion(Fixed(Pose.identity()), self.span_s)
         if isinstance(owner, Structure):
             return structure_motion(owner.motion, self.span_s)
-        return vehicle_motion(owner.model, self._trajectory.vehicle(owner.name))
+        return self._of_vehicle(owner)
 
 
 def windows_of(scenario: Scenario, phase: Phase, span_s: tuple[float, float]) -> Windows:

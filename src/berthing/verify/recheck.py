@@ -58,7 +58,7 @@ def check_claims(
     Raises:
         CapabilityError: a model, motion law or shape that the certificate does not know.
     """
-    motions = Motions(trajectory)
+    motions = Motions.along(trajectory)
     windows = windows_of(scenario, phase, motions.span_s)
     tubes, notes = _widest(tubes, claims)
     notes += _strangers(claims, windows)
