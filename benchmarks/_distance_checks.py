@@ -10,10 +10,10 @@ from scipy import sparse
 from scipy.optimize import minimize
 from scipy.spatial import ConvexHull
 
-from benchmarks._distance_sets import PAIRS, random_poses
+from benchmarks._distance_poses import differences, random_poses
+from benchmarks._distance_sets import PAIRS
 from berthing.clearance.placed_distance import distance
 from berthing.errors import CapabilityError
-from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array
 from berthing.geometry.capability import HasVertices, conic_form
 from berthing.geometry.conic_form import ConicForm
@@ -23,7 +23,6 @@ from berthing.geometry.pose import Pose
 from berthing.geometry.smoothed_polytope import SmoothedPolytope
 from berthing.geometry.superellipsoid import Superellipsoid
 
-STEP = 3e-5
 # One-sided slopes that differ by more than this (m per m or rad) mark a kink of the distance.
 KINK = 1e-2
 
@@ -204,7 +203,7 @@ def gradients(total: int, seed: int = 5) -> dict[str, Any]:
         poses = random_poses(rng, a, b, each)
         found = distance(a, b, poses)
         given = np.concatenate([found.gradient_a, found.gradient_b], axis=-1)
-        expected, bend = _differences(a, b, poses, found.distance)
+        expected, bend = differences(a, poses[0], b, poses[1])
         smooth = bend < KINK
         kinks += int(np.sum(~smooth))
         relative = norm(given - expected) / np.maximum(norm(given), 1.0)
@@ -217,31 +216,3 @@ def gradients(total: int, seed: int = 5) -> dict[str, Any]:
         "largest_relative_error": float(np.max(all_errors)),
         "above_1e-5": int(np.sum(all_errors > 1e-5)),
     }
-
-
-def _differences(
-    a: ConvexSet, b: ConvexSet, poses: tuple[Pose, Pose], value: Array
-) -> tuple[Array, Array]:
-    count, columns, bends = (6 if a.dim == 3 else 3), [], []
-    for i in range(2 * count):
-        near = []
-        for times in (-2.0, -1.0, 1.0, 2.0):
-            first = _moved(poses[0], i, times * STEP) if i < count else poses[0]
-            second = _moved(poses[1], i - count, times * STEP) if i >= count else poses[1]
-            near.append(distance(a, b, (first, second)).distance)
-        columns.append((8.0 * (near[2] - near[1]) - (near[3] - near[0])) / (12.0 * STEP))
-        before = 2.0 * (value - near[1]) - 0.5 * (value - near[0])
-        after = 2.0 * (near[2] - value) - 0.5 * (near[3] - value)
-        bends.append(np.abs(after - before) / STEP)
-    return np.stack(columns, axis=-1), np.max(bends, axis=0)
-
-
-def _moved(pose: Pose, i: int, by: float) -> Pose:
-    d = pose.dim
-    if i < d:
-        return Pose(pose.position + by * np.eye(d)[i], pose.rotation)
-    if d == 2:
-        turn = Pose.planar(np.zeros(2), by).rotation
-    else:
-        turn = quaternion.rotation_matrix(quaternion.from_axis_angle(np.eye(3)[i - 3], by))
-    return Pose(pose.position, turn @ pose.rotation)

@@ -1,4 +1,4 @@
-"""Sets and poses that distances are measured with."""
+"""Sets that distances are measured with, some of them the tests' too, and the public pose law."""
 
 from __future__ import annotations
 
@@ -6,15 +6,14 @@ from itertools import product
 
 import numpy as np
 
-from berthing.geometry import quaternion
-from berthing.geometry.arrays import Array
 from berthing.geometry.box import Box
 from berthing.geometry.capsule import Capsule
 from berthing.geometry.cone import Cone
-from berthing.geometry.convex_set import ConvexSet, norm
+from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.cylinder import Cylinder
 from berthing.geometry.ellipsoid import Ellipsoid
 from berthing.geometry.half_space import HalfSpace
+from berthing.geometry.intersection import Intersection
 from berthing.geometry.offset import Offset
 from berthing.geometry.polytope import Polytope
 from berthing.geometry.pose import Pose
@@ -24,6 +23,9 @@ from berthing.geometry.superellipsoid import Superellipsoid
 from berthing.geometry.truncated_cone import TruncatedCone
 
 WEDGE = Polytope.from_vertices([[1, 0, 0], [3, 0, 0], [1, 2, 0], [1, 0, 1], [3, 0, 0.5], [1, 2, 1]])
+TRIANGLE = Polytope.from_vertices([[0.5, 0.0], [2.0, 0.3], [1.0, 1.5]])
+TILTED = Pose.from_quaternion(np.array([0.3, -0.1, 0.2]), np.array([0.9, 0.1, -0.3, 0.2]))
+BESIDE = (Pose.planar(np.array([0.5, 0.0]), 0.3), Pose.planar(np.array([-0.5, 0.1]), 0.0))
 SPACE: dict[str, ConvexSet] = {
     "box": Box([2.0, 1.0, 0.5]),
     "plate": Box([2.0, 2.0, 0.01]),
@@ -42,15 +44,20 @@ SPACE: dict[str, ConvexSet] = {
     "superellipsoid 4-6-2": Superellipsoid([1.0, 0.6, 0.4], [4, 6, 2]),
     "smoothed box": SmoothedPolytope.inner(Box([2.0, 1.0, 1.0]), 8.0),
     "smoothed wedge": SmoothedPolytope.outer(WEDGE, 40.0),
+    "cut cylinder": Intersection(
+        [Cylinder(1.0, 1.5), Box([1.2, 0.9, 0.8]), HalfSpace([1.0, 1.0, 0.5], 1.0)],
+        [Pose.identity(), TILTED, Pose.identity()],
+    ),
 }
 PLANE: dict[str, ConvexSet] = {
     "rectangle": Box([2.0, 0.5]),
     "circle": Sphere(0.8, dim=2),
     "ellipse": Ellipsoid([1.0, 2.5]),
-    "triangle": Polytope.from_vertices([[0.5, 0.0], [2.0, 0.3], [1.0, 1.5]]),
+    "triangle": TRIANGLE,
     "stadium": Capsule(0.4, 1.0, "y", dim=2),
     "superellipse": Superellipsoid([1.5, 1.0], [6, 4]),
     "smoothed square": SmoothedPolytope.inner(Box([1.0, 1.0]), 8.0),
+    "lens": Intersection([Sphere(1.0, dim=2), Ellipsoid([1.0, 1.5])], BESIDE),
 }
 PAIRS: list[tuple[str, ConvexSet, str, ConvexSet]] = [
     (first, group[first], second, group[second])
@@ -103,25 +110,3 @@ def pose_law(count: int, r_min: float = 0.05, r_max: float = 2.0) -> Pose:
         axis=-1,
     )
     return Pose.from_quaternion(r[:, None] * place, q)
-
-
-def reach(shape: ConvexSet) -> float:
-    """Bounding radius, 1 m for a half-space."""
-    return shape.bounding_radius if np.isfinite(shape.bounding_radius) else 1.0
-
-
-def random_poses(
-    rng: np.random.Generator, a: ConvexSet, b: ConvexSet, count: int
-) -> tuple[Pose, Pose]:
-    """Any attitudes; from about one centre to half as far again as the two can touch."""
-    away = rng.normal(size=(count, a.dim))
-    away *= (reach(a) + reach(b) + 0.01) / norm(away)[:, None]
-    at_a = rng.normal(size=(count, a.dim))
-    at_b = at_a + rng.uniform(0.0, 1.5, size=(count, 1)) * away
-    return Pose(at_a, _turns(rng, count, a.dim)), Pose(at_b, _turns(rng, count, a.dim))
-
-
-def _turns(rng: np.random.Generator, count: int, dim: int) -> Array:
-    if dim == 2:
-        return Pose.planar(np.zeros((count, 2)), rng.uniform(-np.pi, np.pi, count)).rotation
-    return quaternion.rotation_matrix(rng.normal(size=(count, 4)))

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from benchmarks._distance_poses import differences, random_poses
 
 import berthing as bt
 from berthing.clearance import kernel as kernel_module
@@ -16,16 +17,10 @@ from berthing.geometry import quaternion
 from berthing.geometry.capsule import Capsule
 from berthing.geometry.cone import Cone
 from berthing.geometry.half_space import HalfSpace
+from berthing.geometry.intersection import Intersection
 from berthing.geometry.smoothed_polytope import SmoothedPolytope
 from berthing.geometry.superellipsoid import Superellipsoid
-from support.distances import (
-    BRACKET,
-    DEPTH,
-    GRADIENT,
-    differences,
-    faults,
-    random_poses,
-)
+from support.distances import BRACKET, DEPTH, GRADIENT, faults
 from support.shapes import SHAPES
 
 CUBE = bt.Box([1.0, 1.0, 1.0])
@@ -288,6 +283,20 @@ def test_formulas_for_smoothed_boxes_agree_with_the_search(
     np.testing.assert_allclose(again.distance, found.distance, atol=BRACKET)
 
 
-def test_every_shape_but_intersections_is_compiled() -> None:
-    missing = [name for name, shape in SHAPES.items() if set_numbers(shape) is None]
-    assert sorted(missing) == ["cut-cylinder", "lens"]
+def test_every_shape_is_compiled() -> None:
+    assert [name for name, shape in SHAPES.items() if set_numbers(shape) is None] == []
+
+
+def test_an_intersection_of_too_many_rows_is_answered_all_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def clipped() -> Intersection:
+        return Intersection([CUBE, bt.Sphere(1.2)])
+
+    where = [3.0, 0.4, 0.0, *STRAIGHT]
+    fast = bt.distance(clipped(), CUBE, where)
+    monkeypatch.setattr(set_numbers_module, "MOST_CONE_ROWS", 5)
+    large = clipped()
+    assert set_numbers(large) is None
+    assert bt.distance(large, CUBE, where).distance == pytest.approx(fast.distance, abs=BRACKET)
+    assert fast.distance == pytest.approx(1.0, abs=BRACKET)

@@ -4,76 +4,59 @@ from __future__ import annotations
 
 from itertools import product
 
-import numpy as np
+from benchmarks._distance_poses import size as size
+from benchmarks._distance_sets import PLANE, SPACE, TRIANGLE, WEDGE
 
 from berthing.errors import CapabilityError
-from berthing.geometry.box import Box
 from berthing.geometry.capability import conic_form
-from berthing.geometry.capsule import Capsule
-from berthing.geometry.cone import Cone
 from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.cylinder import Cylinder
-from berthing.geometry.ellipsoid import Ellipsoid
 from berthing.geometry.half_space import HalfSpace
 from berthing.geometry.intersection import Intersection
 from berthing.geometry.offset import Offset
 from berthing.geometry.polytope import Polytope
-from berthing.geometry.pose import Pose
 from berthing.geometry.smoothed_polytope import SmoothedPolytope
 from berthing.geometry.sphere import Sphere
 from berthing.geometry.superellipsoid import Superellipsoid
-from berthing.geometry.truncated_cone import TruncatedCone
 
-# A wedge away from its own origin, and a prism cut by a slanted plane.
-WEDGE = Polytope.from_vertices([[1, 0, 0], [3, 0, 0], [1, 2, 0], [1, 0, 1], [3, 0, 0.5], [1, 2, 1]])
+# A prism cut by a slanted plane.
 CUT_ROWS = [[1, 0, 0], [-1, 0, 0], [0, 2, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [1, 1, 1]]
 CUT_OFFSETS = [1, 1, 1, 0.5, 0.7, 0.7, 1.2]
-TRIANGLE = Polytope.from_vertices([[0.5, 0.0], [2.0, 0.3], [1.0, 1.5]])
-TILTED = Pose.from_quaternion(np.array([0.3, -0.1, 0.2]), np.array([0.9, 0.1, -0.3, 0.2]))
-BESIDE = (Pose.planar(np.array([0.5, 0.0]), 0.3), Pose.planar(np.array([-0.5, 0.1]), 0.0))
 
 # Those that the collision library takes, padded or not, and half-spaces: a query is quick.
 QUICK_SPACE: dict[str, ConvexSet] = {
-    "box": Box([2.0, 1.0, 0.5]),
-    "plate": Box([2.0, 2.0, 0.01]),
-    "ball": Sphere(0.8),
-    "point": Sphere(0.0),
-    "ellipsoid": Ellipsoid([1.0, 2.0, 0.5]),
-    "needle": Ellipsoid([3.0, 0.1, 0.1]),
-    "cylinder-x": Cylinder(1.0, 2.0),
+    **{name: SPACE[name] for name in ("box", "plate", "ball", "point", "ellipsoid", "needle")},
+    "cylinder-x": SPACE["cylinder"],
     "cylinder-y": Cylinder(0.3, 1.0, "y"),
-    "disc-z": Cylinder(1.5, 0.05, "z"),
+    "disc-z": SPACE["disc"],
     "wedge": WEDGE,
     "cut-prism": Polytope(CUT_ROWS, CUT_OFFSETS),
-    "capsule": Capsule(0.4, 1.0, "z"),
-    "cone": Cone(0.8, 1.0, "y"),
-    "padded-box": Offset(Box([1.0, 0.5, 0.2]), 0.3),
+    "capsule": SPACE["capsule"],
+    "cone": SPACE["cone"],
+    "padded-box": SPACE["padded box"],
 }
 QUICK_PLANE: dict[str, ConvexSet] = {
-    "rectangle": Box([2.0, 0.5]),
-    "disc": Sphere(0.8, dim=2),
+    "rectangle": PLANE["rectangle"],
+    "disc": PLANE["circle"],
     "point-2d": Sphere(0.0, dim=2),
-    "ellipse": Ellipsoid([1.0, 2.5]),
+    "ellipse": PLANE["ellipse"],
     "triangle": TRIANGLE,
     "pentagon": Polytope([[1, 0], [0, 1], [-1, 0], [0, -1], [1, 1]], [1, 1, 1, 1, 1.5]),
-    "stadium": Capsule(0.4, 1.0, "y", dim=2),
+    "stadium": PLANE["stadium"],
     "padded-triangle": Offset(TRIANGLE, 0.2),
 }
 SLOW_SPACE: dict[str, ConvexSet] = {
-    "lampshade": TruncatedCone(0.5, 1.0, 0.4, "z"),
-    "paper-cylinder": Superellipsoid([2.0, 1.0, 1.0], [8, 2, 2]),
+    "lampshade": SPACE["lampshade"],
+    "paper-cylinder": SPACE["superellipsoid 8-2-2"],
     "pillow": Superellipsoid([1.0, 0.6, 0.4], [4, 6, 2], size=1.2, size_exponent=3),
-    "inner-box": SmoothedPolytope.inner(Box([2.0, 1.0, 1.0]), 8.0),
-    "outer-wedge": SmoothedPolytope.outer(WEDGE, 40.0),
-    "cut-cylinder": Intersection(
-        [Cylinder(1.0, 1.5), Box([1.2, 0.9, 0.8]), HalfSpace([1.0, 1.0, 0.5], 1.0)],
-        [Pose.identity(), TILTED, Pose.identity()],
-    ),
+    "inner-box": SPACE["smoothed box"],
+    "outer-wedge": SPACE["smoothed wedge"],
+    "cut-cylinder": SPACE["cut cylinder"],
 }
 SLOW_PLANE: dict[str, ConvexSet] = {
-    "superellipse": Superellipsoid([1.5, 1.0], [6, 4]),
-    "inner-square": SmoothedPolytope.inner(Box([1.0, 1.0]), 8.0),
-    "lens": Intersection([Sphere(1.0, dim=2), Ellipsoid([1.0, 1.5])], BESIDE),
+    "superellipse": PLANE["superellipse"],
+    "inner-square": PLANE["smoothed square"],
+    "lens": PLANE["lens"],
 }
 UNBOUNDED: dict[str, ConvexSet] = {
     "wall": HalfSpace([0.0, 0.0, 1.0], 0.5),
@@ -153,8 +136,3 @@ def radius_slack(shape: ConvexSet) -> float:
 def level_rounding(shape: ConvexSet) -> float:
     """Of levels; that of a padded set is a solved distance."""
     return 1e-9 if isinstance(shape, Offset) else rounding(shape)
-
-
-def size(shape: ConvexSet) -> float:
-    """What tolerances refer to, in metres; a half-space adds nothing to its partner's."""
-    return shape.bounding_radius if np.isfinite(shape.bounding_radius) else 1.0

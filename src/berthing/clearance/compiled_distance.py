@@ -6,7 +6,7 @@ import numpy as np
 
 from berthing.clearance.kernel import kernel
 from berthing.clearance.queried_distance import queried_distance
-from berthing.clearance.set_numbers import set_numbers
+from berthing.clearance.set_numbers import CONIC, set_numbers
 from berthing.clearance.signed_distance import SignedDistance
 from berthing.geometry.arrays import Array
 from berthing.geometry.convex_set import ConvexSet
@@ -18,9 +18,11 @@ TOLERANCE = 1e-10
 # The same where sets overlap: every other direction is shown to be no better than by this much.
 # The normal itself is as exact as that of sets apart.
 DEPTH_TOLERANCE = 5e-7
-# Bounds of sets apart that stay further from each other than this, as a fraction of the sizes, are
-# improved on by slower methods; none of 300,000 random pairs of all shapes was.
-WIDE = 1e-9
+# The first, for sets whose support points an interior-point method finds, to some 1e-11.
+CONIC_TOLERANCE = 1e-9
+# Bounds of sets apart that stay further from each other than so many tolerances are improved on by
+# slower methods; none of 300,000 random pairs of all shapes was.
+WIDE = 5.0
 # Columns of native/kernel.c.
 WIDTH = 24
 
@@ -42,6 +44,8 @@ def compiled_distance(a: ConvexSet, poses_a: Pose, b: ConvexSet, poses_b: Pose) 
     assert numbers_b is not None
     batch = np.broadcast_shapes(poses_a.batch_shape, poses_b.batch_shape)
     count, size = int(np.prod(batch)), _size(numbers_a) + _size(numbers_b)
+    solved = CONIC in (numbers_a[0], numbers_b[0])
+    tolerance = (CONIC_TOLERANCE if solved else TOLERANCE) * size
     rows = np.empty((count, WIDTH))
     turn_a, place_a, step_a = _flat(poses_a, batch)
     turn_b, place_b, step_b = _flat(poses_b, batch)
@@ -49,20 +53,26 @@ def compiled_distance(a: ConvexSet, poses_a: Pose, b: ConvexSet, poses_b: Pose) 
         numbers_a.ctypes.data, numbers_b.ctypes.data, a.dim, count,
         turn_a.ctypes.data, place_a.ctypes.data, step_a,
         turn_b.ctypes.data, place_b.ctypes.data, step_b,
-        TOLERANCE * size, DEPTH_TOLERANCE * size, rows.ctypes.data,
+        tolerance, DEPTH_TOLERANCE * size, rows.ctypes.data,
     )  # fmt: skip
     if done < 0:
         raise MemoryError("no memory for the distance search")
     answers = _answers(rows.reshape(*batch, WIDTH), a.dim)
-    return answers if done == 0 else _second_opinions(answers, a, poses_a, b, poses_b)
+    if done == 0:
+        return answers
+    return _second_opinions(answers, WIDE * tolerance, a, poses_a, b, poses_b)
 
 
 def _second_opinions(
-    answers: SignedDistance, a: ConvexSet, poses_a: Pose, b: ConvexSet, poses_b: Pose
+    answers: SignedDistance,
+    open_by: float,
+    a: ConvexSet,
+    poses_a: Pose,
+    b: ConvexSet,
+    poses_b: Pose,
 ) -> SignedDistance:
-    """Where bounds of sets apart are further apart than asked, the other methods are heard too."""
-    size = a.bounding_radius + b.bounding_radius
-    wide = (answers.distance > 0.0) & (answers.upper_bound - answers.lower_bound > WIDE * size)
+    """Where bounds of sets apart are further apart than that, the other methods are heard too."""
+    wide = (answers.distance > 0.0) & (answers.upper_bound - answers.lower_bound > open_by)
     if not np.any(wide):
         return answers
     spread_a, spread_b = _spread(poses_a, wide.shape), _spread(poses_b, wide.shape)

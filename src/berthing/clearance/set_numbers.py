@@ -18,6 +18,7 @@ from berthing.geometry.cylinder import Cylinder
 from berthing.geometry.ellipsoid import Ellipsoid
 from berthing.geometry.frustum import Frustum
 from berthing.geometry.half_space import HalfSpace
+from berthing.geometry.intersection import Intersection
 from berthing.geometry.offset import Offset
 from berthing.geometry.polytope import Polytope
 from berthing.geometry.revolution import AXES
@@ -28,9 +29,11 @@ from berthing.geometry.truncated_cone import TruncatedCone
 
 # As in native/shape.h.
 POINT, SEGMENT, BOX, ELLIPSOID, CYLINDER, FRUSTUM, POLYTOPE = map(float, range(7))
-SUPERELLIPSOID, LOG_SUM_EXP, HALF_SPACE, SMOOTHED_BOX = 7.0, 8.0, 9.0, 10.0
+SUPERELLIPSOID, LOG_SUM_EXP, HALF_SPACE, SMOOTHED_BOX, CONIC = 7.0, 8.0, 9.0, 10.0, 11.0
 # Of exponent times half size: the kernel's formulas for boxes square exp of it.
 STEEPEST = 300.0
+# As in native/conic.h: variables, and rows of half-lines and cones.
+MOST_COLUMNS, MOST_CONE_ROWS = 24, 256
 # Rows beyond this many are not approached by way of rounder sets: see native/support.h.
 MOST_ROWS = 256
 
@@ -48,7 +51,13 @@ def set_numbers(shape: ConvexSet) -> Array | None:
     build = _BUILDERS.get(type(core))
     if build is None:
         return None
-    kind, size, numbers = build(core)
+    found = build(core)
+    if found is None:
+        return None
+    kind, size, numbers = found
+    if kind == ELLIPSOID and len(set(numbers[: shape.dim])) == 1:
+        # A ball, whatever it is called.
+        kind, pad, size, numbers = POINT, pad + numbers[0], 0.0, []
     return np.array([kind, pad, size, *numbers], dtype=np.float64)
 
 
@@ -84,6 +93,8 @@ def _polytope(shape: Polytope) -> Core:
 
 
 def _superellipsoid(shape: Superellipsoid) -> Core:
+    if np.all(shape.exponents == 2):
+        return ELLIPSOID, 2.0 * shape.bounding_radius, _solid(shape.reaches)
     exponents = np.full(3, 2.0)
     exponents[: shape.dim] = shape.exponents
     return SUPERELLIPSOID, 2.0 * shape.bounding_radius, [*_solid(shape.reaches), *exponents]
@@ -117,6 +128,21 @@ def _half_space(shape: HalfSpace) -> Core:
     return HALF_SPACE, 0.0, [*_in_space(shape.normal[None])[0], shape.offset]
 
 
+def _conic(shape: Intersection) -> Core | None:
+    problem = shape.problem
+    cones, rows, size = problem.cone_G.shape
+    lines = len(problem.line_h)
+    if size > MOST_COLUMNS or lines + cones * rows > MOST_CONE_ROWS:
+        return None
+    arrays = problem.line_G, problem.cone_G, problem.line_h, problem.cone_h
+    numbers = [size, lines, cones, rows, problem.unit, problem.reach]
+    return (
+        CONIC,
+        2.0 * shape.bounding_radius,
+        [*map(float, numbers), *np.concatenate([array.ravel() for array in arrays])],
+    )
+
+
 def _solid(sizes: Array) -> list[float]:
     """Three sizes, the third 0 in the plane."""
     return [float(size) for size in np.append(sizes, 0.0)[:3]]
@@ -134,7 +160,7 @@ def _width(corners: Array) -> float:
     return 2.0 * float(np.max(norm(corners - np.mean(corners, axis=0))))
 
 
-_BUILDERS: Mapping[type[ConvexSet], Callable[[Any], Core]] = {
+_BUILDERS: Mapping[type[ConvexSet], Callable[[Any], Core | None]] = {
     Sphere: _point,
     Capsule: _segment,
     Box: _box,
@@ -146,4 +172,5 @@ _BUILDERS: Mapping[type[ConvexSet], Callable[[Any], Core]] = {
     Superellipsoid: _superellipsoid,
     SmoothedPolytope: _log_sum_exp,
     HalfSpace: _half_space,
+    Intersection: _conic,
 }

@@ -65,7 +65,7 @@ class SignedDistance:
         columns = {}
         for field in fields(SignedDistance):
             column = np.stack([getattr(part, field.name) for part in parts])
-            columns[field.name] = column.reshape(*axis_shape, *column.shape[1:])
+            columns[field.name] = np.reshape(column, (*axis_shape, *column.shape[1:]))
         return SignedDistance(**columns)
 
 

@@ -51,9 +51,7 @@ class SupportPair(SearchedPair):
         assert best is not None
         return best
 
-    def _support(
-        self, n: Array, rotation: Array, position: Array
-    ) -> tuple[float, Array, Array]:
+    def _support(self, n: Array, rotation: Array, position: Array) -> tuple[float, Array, Array]:
         """The plane bound of n, and the points of A and of B that are nearest along n."""
         extent_a, point_a = self.a.support(n)
         extent_b, point_b = self.b.support(-(n @ rotation))

@@ -90,7 +90,7 @@ class Intersection(ConvexSet):
         if len(some):
             objective = np.zeros((len(some), self.conic_form().size))
             objective[:, : self.dim] = -rays[some]
-            best = minimise(self._problem, objective)
+            best = minimise(self.problem, objective)
             point[some] = best.point[:, : self.dim]
             value[some] = np.maximum(-best.dual, np.sum(rays * point, axis=-1)[some])
         return norm(n) * value.reshape(n.shape[:-1]), point.reshape(n.shape)
@@ -138,7 +138,8 @@ class Intersection(ConvexSet):
         return inscribed_ball(self._form, self._reach)
 
     @cached_property
-    def _problem(self) -> Standard:
+    def problem(self) -> Standard:
+        """The conic form, scaled, as solvers want it."""
         return standard(self._form, self._reach, max(self._reaches))
 
     def _refuse_flat(self) -> None:

@@ -2,7 +2,10 @@
    Developers Conference, 2001), here with its error known.
 
    The polytope is a hull of members of B - A, so its nearest face bounds the depth from below: the
-   sets cannot part by less. Each normal bounds it from above, as planes do. */
+   sets cannot part by less. Each normal bounds it from above, as planes do.
+
+   Where B - A is another set and all within `round` of it, the hull is that of the other set, and
+   every face is that much farther out: a ball is one point, and what is nearly round takes few. */
 #ifndef EXPANDING_H
 #define EXPANDING_H
 #include "face_heap.h"
@@ -10,6 +13,16 @@
 /* What the search found: at best the sets part by -`lower` along `normal`, and not by less
    than -`upper`. */
 typedef struct { double lower, upper; V normal; } Depth;
+
+/* The member of the inner set that is lowest along n, and the plane bound of n for B - A. */
+static Vertex innermost(Pair *pair, const Hull *h, V n, double *bound)
+{
+    Vertex v = lowest(pair, n, bound);
+    v.y = plus(v.y, h->round, n);
+    return v;
+}
+
+static inline double depth_of(const Hull *h, int f) { return -h->f[f].d - h->round; }
 
 static int set_face(Hull *h, int f, int a, int b, int c)
 {
@@ -49,12 +62,12 @@ static int first_points(Pair *pair, Hull *h, V *flat)
     double bound, thin = 1e-9 * pair->size;
     V n = first_direction(pair), s, t;
     h->points = 0;
-    h->p[h->points++] = lowest(pair, n, &bound);
+    h->p[h->points++] = innermost(pair, h, n, &bound);
     tangents(n, 3, &s, &t);
     V tried[3] = {mul(-1.0, n), s, t};
     double farthest = 0.0;
     for (int i = 0; i < 3 && farthest <= 0.1 * pair->size; i++) {
-        Vertex v = lowest(pair, tried[i], &bound);
+        Vertex v = innermost(pair, h, tried[i], &bound);
         double away = length(sub(v.y, h->p[0].y));
         if (away > farthest) { farthest = away; h->p[1] = v; }
     }
@@ -67,14 +80,14 @@ static int first_points(Pair *pair, Hull *h, V *flat)
     int found = 0;
     for (int i = 0; i < 8 && widest <= 0.1 * pair->size; i++) {
         double angle = 2.4 * i;
-        Vertex v = lowest(pair, plus(mul(cos(angle), s), sin(angle), t), &bound);
+        Vertex v = innermost(pair, h, plus(mul(cos(angle), s), sin(angle), t), &bound);
         double away = length(cross(e, sub(v.y, h->p[0].y)));
         if (away > widest) { widest = away; h->p[2] = v; found = 1; }
     }
     if (!found) return 1;
     V m = unit_or(cross(e, sub(h->p[2].y, h->p[0].y)), s);
     *flat = m;
-    Vertex up = lowest(pair, m, &bound), down = lowest(pair, mul(-1.0, m), &bound);
+    Vertex up = innermost(pair, h, m, &bound), down = innermost(pair, h, mul(-1.0, m), &bound);
     double below = fabs(dot(m, sub(up.y, h->p[0].y)));
     double above = fabs(dot(m, sub(down.y, h->p[0].y)));
     if (larger(below, above) <= thin) return 2;
@@ -156,7 +169,7 @@ static int grow(Hull *h, int seed, double thin)
 static double sort_out(Hull *h, const int *faces, int n, double enough, double passed)
 {
     for (int i = 0; i < n; i++) {
-        double depth = -h->f[faces[i]].d;
+        double depth = depth_of(h, faces[i]);
         if (depth > enough) enter(h, faces[i]);
         else passed = larger(passed, depth);
     }
@@ -170,7 +183,13 @@ static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
     static const int first[4] = {0, 1, 2, 3};
     double bound, passed = -INFINITY;
     V flat;
-    if (first_points(pair, h, &flat) < 3) {
+    h->round = roundness(&pair->a) + roundness(&pair->b);
+    int dimensions = first_points(pair, h, &flat);
+    if (dimensions < 3 && h->round > 0.0) {
+        h->round = 0.0;
+        dimensions = first_points(pair, h, &flat);
+    }
+    if (dimensions < 3) {
         lowest(pair, flat, &bound);
         return bound > found.lower ? (Depth){bound, larger(bound, 0.0), flat} : found;
     }
@@ -179,17 +198,16 @@ static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
     passed = sort_out(h, first, 4, found.lower + tolerance, passed);
     for (;;) {
         int f = h->waiting ? h->heap[0] : -1;
-        double depth = larger(passed, f < 0 ? -INFINITY : -h->f[f].d);
+        double depth = larger(passed, f < 0 ? -INFINITY : depth_of(h, f));
         if (depth <= 0.0) found.upper = fmin(found.upper, depth);
-        if (f < 0 || found.lower >= -h->f[f].d - tolerance) break;
-        double d = h->f[f].d;
+        if (f < 0 || found.lower >= depth_of(h, f) - tolerance) break;
         V n = mul(-1.0, h->f[f].m);
         const Vertex *near = &h->p[h->f[f].v[0]];
         pair->memory_a.point = near->a;
         pair->memory_b.point = near->b;
-        Vertex v = lowest(pair, n, &bound);
+        Vertex v = innermost(pair, h, n, &bound);
         if (bound > found.lower) { found.lower = bound; found.normal = n; }
-        if (dot(h->f[f].m, v.y) - d <= tolerance || h->points == MOST_POINTS) break;
+        if (dot(h->f[f].m, v.y) - h->f[f].d <= tolerance || h->points == MOST_POINTS) break;
         h->p[h->points++] = v;
         int made = grow(h, f, 1e-14 * pair->size);
         if (!made) break;

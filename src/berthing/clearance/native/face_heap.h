@@ -3,12 +3,14 @@
 #define FACE_HEAP_H
 #include "gjk.h"
 
-enum { MOST_POINTS = 700, MOST_FACES = 2 * MOST_POINTS };
+/* Enough for a ring of directions that are equally good, as of bodies about one axis. */
+enum { MOST_POINTS = 40000, MOST_FACES = 2 * MOST_POINTS };
 
 /* next[i] lies across v[i] v[i+1]; `place` is that in the heap, or -1. */
 typedef struct { int v[3], next[3], alive, place; V m; double d; } Face;
 
 typedef struct {
+    double round;
     Vertex p[MOST_POINTS];
     Face f[MOST_FACES];
     int points, faces, free[MOST_FACES], n_free, heap[MOST_FACES], waiting;

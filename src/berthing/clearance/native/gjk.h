@@ -64,7 +64,7 @@ static Answer gjk(Pair *pair, Simplex *s, double tolerance, int most_steps)
         if (bound > best.lower) { best.lower = bound; best.normal = n; }
         if (gap - best.lower <= tolerance || known(s, next.y)) break;
         if (gap - best.lower < 0.5 * open) { open = gap - best.lower; stalled = 0; }
-        else stalled += open <= SMALL * pair->size;
+        else stalled += open <= larger(SMALL * pair->size, 10.0 * pair->noise);
         s->p[s->n++] = next;
         if (reduce(s)) { best.overlap = 1; return best; }
     }

@@ -46,6 +46,7 @@ long berthing_distances(const double *a, const double *b, int dim, long k, const
     if (!path.hull) return -1;
     path.pair.size = path.pair.a.size + path.pair.b.size;
     if (!(path.pair.size > 0.0)) path.pair.size = 1.0;
+    path.pair.noise = path.pair.size * larger(noise_of(&path.pair.a), noise_of(&path.pair.b));
     path.tolerance = tolerance;
     path.depth_tolerance = depth_tolerance;
     path.smooth = newton_takes(&path.pair);

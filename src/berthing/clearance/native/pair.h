@@ -36,7 +36,7 @@ static Answer settle(Path *path, Answer start)
     Pair *pair = &path->pair;
     V r = pair->r, n = start.normal, step = vec(0, 0, 0);
     Answer best = start;
-    double bound, rounding = 1e-15 * pair->size, least = INFINITY;
+    double bound, rounding = pair->noise, least = INFINITY;
     lowest(pair, n, &bound);
     best.lower = bound;
     for (int i = 0, idle = 0; i < MOST_PARTINGS && idle < 3; i++) {
@@ -145,7 +145,7 @@ static Answer solve(Path *path)
     if (half_space(pair, &answer)) return answer;
     if (path->smooth && by_newton(path, &answer))
         return answer.overlap ? overlapping(path, answer) : answer;
-    answer = gjk(pair, &path->simplex, 1e-15 * pair->size, MOST_STEPS);
+    answer = gjk(pair, &path->simplex, pair->noise, MOST_STEPS);
     if (answer.overlap) {
         path->simplex.n = 0;
         answer.lower = -INFINITY;

@@ -18,7 +18,8 @@ enum {
     SUPERELLIPSOID, /* reaches, exponents */
     LOG_SUM_EXP,    /* count, centre, rows Q a, offsets Q b */
     HALF_SPACE,     /* outward unit normal, offset */
-    SMOOTHED_BOX    /* middle m, exponents q, weights k, reaches (-ln k)/q */
+    SMOOTHED_BOX,   /* middle m, exponents q, weights k, reaches (-ln k)/q */
+    CONIC           /* counts, unit, reach, G, h: see conic.h */
 };
 
 typedef struct {
@@ -48,6 +49,19 @@ static inline V across_axis(V n, int axis)
 {
     put(&n, axis, 0.0);
     return unit_or(n, vec(0.0, 0.0, 0.0));
+}
+
+/* The core is another convex set and all within this distance of it: the least radius of curvature
+   of an ellipsoid, less what rounding takes. */
+static double roundness(const Shape *s)
+{
+    if (s->kind != ELLIPSOID) return 0.0;
+    double least = s->data[0], most = least;
+    for (int i = 1; i < s->dim; i++) {
+        most = larger(most, s->data[i]);
+        if (s->data[i] < least) least = s->data[i];
+    }
+    return (1.0 - 1e-12) * least * least / most;
 }
 
 static inline V ellipsoid_point(const double *a, V n)

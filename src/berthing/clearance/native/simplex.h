@@ -3,12 +3,13 @@
 #define SIMPLEX_H
 #include "support.h"
 
-/* Two cores: B's frame lies at R, r in A's. `size` is what tolerances refer to. */
+/* Two cores: B's frame lies at R, r in A's. `size` is what tolerances refer to, and support points
+   are exact to `noise`. */
 typedef struct {
     Shape a, b;
     M R;
     V r;
-    double size, slack; /* what support points may fall short by, where a search finds them */
+    double size, noise, slack; /* what support points may fall short by, where a search finds them */
     int dim;
     Memory memory_a, memory_b;
 } Pair;

@@ -1,7 +1,7 @@
 /* Support points of every core. */
 #ifndef SUPPORT_H
 #define SUPPORT_H
-#include <string.h>
+#include "conic.h"
 #include "smooth.h"
 
 enum { MOST_ROWS = 256 };
@@ -45,6 +45,9 @@ static Support log_sum_exp_point(const Shape *s, V n, Memory *memory, double eno
     return found;
 }
 
+/* Of support points, in terms of the size: rounding, or what the interior-point method leaves. */
+static inline double noise_of(const Shape *s) { return s->kind == CONIC ? 1e-11 : 1e-15; }
+
 /* Along the unit vector n, in the set's own frame; a search may stop at a slack that is enough. */
 static Support support(const Shape *s, V n, Memory *memory, double enough)
 {
@@ -78,6 +81,8 @@ static Support support(const Shape *s, V n, Memory *memory, double enough)
     case SMOOTHED_BOX:
         p = box_point(d, s->dim, n);
         break;
+    case CONIC:
+        return conic_point(d, s->dim, n);
     case LOG_SUM_EXP:
         return log_sum_exp_point(s, n, memory, enough);
     default:
