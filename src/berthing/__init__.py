@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from berthing.planner import plan
     from berthing.replanning import Planner
     from berthing.routes.checker import Checker
+    from berthing.routes.routing import route
     from berthing.scenario.attitude import AxisAttitude, FixedAttitude, FreeAttitude
     from berthing.scenario.cost import Cost, RunningCost
     from berthing.scenario.files import from_document, load
@@ -84,6 +85,7 @@ __all__ = [
     "from_document",
     "load",
     "plan",
+    "route",
     "verify_folder",
 ]
 
@@ -94,6 +96,7 @@ _HOMES = {
     "SignedDistance": "berthing.clearance.signed_distance",
     "Planner": "berthing.replanning",
     "Checker": "berthing.routes.checker",
+    "route": "berthing.routes.routing",
     "load": "berthing.scenario.files",
     "from_document": "berthing.scenario.files",
     "verify_folder": "berthing.verify.folder",

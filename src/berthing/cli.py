@@ -125,6 +125,52 @@ def plan_command(
     raise typer.Exit(guarded(work))
 
 
+@app.command("route")
+def route_command(
+    scenario: Annotated[
+        str,
+        typer.Argument(
+            help="A case that ships, or a YAML or JSON file.", autocompletion=completion.scenarios
+        ),
+    ],
+    seed: Annotated[int, typer.Option(min=0, help="Seed of what is drawn.")] = 0,
+    classes: Annotated[
+        int, typer.Option(metavar="N", help="How many ways that cannot be swept into each other.")
+    ] = 1,
+    out: Annotated[
+        Path | None, typer.Option(help="The folder; routes/NAME of the scenario if not given.")
+    ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace an older folder.")] = False,
+    time_limit: Annotated[
+        float | None, typer.Option(metavar="S", help="Wall time allowed, in seconds.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Find a path of the full shape, every leg of it certified as plans are, and write it.
+
+    A route has no times, speeds or forces: it is collision-free however fast it is flown, as long
+    as all vehicles keep in step. `berthing plan` finds motions. Writes route.json and route.csv.
+
+    **Exit code:** 0 certified · 2 bad usage or input; nothing is written · 3 none found ·
+    130 interrupted
+
+    **Examples**
+
+    - `berthing route scenario-b-tight`
+    - `berthing route scenario-a --classes 4 --seed 1 --out routes/four --force`
+    - `berthing route scenario-b-tight --json | jq .routes[0].clearance_lower_bound_m`
+    """
+
+    def work() -> int:
+        from berthing.commands import finding_routes
+
+        return finding_routes.run(
+            scenario, seed, classes, time_limit, out, force=force, as_json=as_json
+        )
+
+    raise typer.Exit(guarded(work))
+
+
 @app.command("verify")
 def verify_command(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="A plan folder.")],

@@ -212,9 +212,7 @@ class _Method:
         return out[0], min(out)
 
 
-def _solved_by(
-    problem: Problem, scenario: Scenario, budget: Budget
-) -> Callable[[Start], Outcome]:
+def _solved_by(problem: Problem, scenario: Scenario, budget: Budget) -> Callable[[Start], Outcome]:
     if len(problem.homotopy) > 1:
         stage = Budget(budget.iterations, budget.wall_time_s / len(problem.homotopy))
         return lambda start: solve_by_stages(

@@ -67,9 +67,7 @@ def test_the_plan_is_that_of_what_is_near(alone: float) -> None:
     assert len(result.verification.pairs) == 31
 
 
-def test_what_an_answer_runs_into_gets_rows(
-    alone: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_an_answer_runs_into_gets_rows(alone: float, monkeypatch: pytest.MonkeyPatch) -> None:
     calls: list[float] = []
 
     def forgetful(*arguments, **named) -> set[int]:

@@ -220,9 +220,7 @@ def multipliers(form: OptimalityFormulation, side: int, s: Array, delta_own: Arr
     return nnls(jacobian[0].T, -pull)[0]
 
 
-def at_points(
-    form: OptimalityFormulation, at: tuple[Pose, Pose], x: Array, y: Array
-) -> Array:
+def at_points(form: OptimalityFormulation, at: tuple[Pose, Pose], x: Array, y: Array) -> Array:
     """The form's variables at points of the world, with the best multipliers."""
     sides = zip((form.functions_a, form.functions_b), at, (x, y), strict=True)
     s_a, s_b = (

@@ -50,9 +50,7 @@ def centred_ball(shape: ConvexSet) -> tuple[Array, float]:
 def enclosing_ball(shape: ConvexSet) -> Enclosure:
     """The centred ball of a bounded ``shape``, grown against rounding."""
     middle, radius = centred_ball(shape)
-    return Enclosure(
-        Sphere(radius * (1.0 + GROWTH), shape.dim), Pose(middle, np.eye(shape.dim))
-    )
+    return Enclosure(Sphere(radius * (1.0 + GROWTH), shape.dim), Pose(middle, np.eye(shape.dim)))
 
 
 def enclosing_ellipsoid(shape: ConvexSet) -> Enclosure:

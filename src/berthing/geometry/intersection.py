@@ -46,9 +46,7 @@ class Intersection(ConvexSet):
     sets: tuple[ConvexSet, ...]
     placements: tuple[Pose, ...]
 
-    def __init__(
-        self, sets: Sequence[ConvexSet], placements: Sequence[Pose] | None = None
-    ) -> None:
+    def __init__(self, sets: Sequence[ConvexSet], placements: Sequence[Pose] | None = None) -> None:
         """``placements`` are all identities if not given."""
         sets = tuple(sets)
         if len(sets) < 2:

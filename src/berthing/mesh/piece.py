@@ -148,6 +148,7 @@ _WRITERS: dict[type[ConvexSet], Callable[[Any], dict[str, Any]]] = {
     },
 }  # fmt: skip
 
+
 def _along_x(block: Mapping[str, Any]) -> Cylinder:
     """KeyError for another axis: such a cylinder was not written here."""
     return {"x": Cylinder(block["radius_m"], 0.5 * block["length_m"], "x")}[block["axis"]]

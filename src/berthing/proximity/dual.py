@@ -115,9 +115,7 @@ class ConeMultipliers:
 
     def start(self, m: Array) -> Array:
         m = m.reshape(-1, len(self.epigraph.tail_inverse))
-        return np.concatenate(
-            [m @ self.epigraph.tail_inverse.T, self.epigraph.start(m)], axis=-1
-        )
+        return np.concatenate([m @ self.epigraph.tail_inverse.T, self.epigraph.start(m)], axis=-1)
 
 
 def multipliers(shape: ConvexSet) -> Multipliers:

@@ -19,6 +19,8 @@ from berthing.verify.folder import (
 )
 
 FAILURE_JSON, REPORT_HTML = "failure.json", "report.html"
+# Those of a route; its folder is kept as a plan's is.
+ROUTE_JSON, ROUTE_CSV = "route.json", "route.csv"
 # Everything that a plan folder may hold; a folder with more in it is not ours to replace.
 FILES = frozenset(
     {
@@ -29,6 +31,8 @@ FILES = frozenset(
         NODES_CSV,
         CERTIFICATE_JSON,
         REPORT_HTML,
+        ROUTE_JSON,
+        ROUTE_CSV,
     }
 )
 FIGURES = "figures"
@@ -56,7 +60,7 @@ def check_target(target: Path, *, force: bool) -> None:
 
 def _check_replaceable(folder: Path) -> None:
     names = {entry.name for entry in folder.iterdir()}
-    if not names & {PLAN_JSON, FAILURE_JSON}:
+    if not names & {PLAN_JSON, FAILURE_JSON, ROUTE_JSON}:
         what = f"holds no {PLAN_JSON}, so it is no plan folder and is left alone"
         raise InputError(str(folder), what, "another --out")
     foreign = sorted(_foreign(folder))

@@ -120,9 +120,13 @@ class Checker:
         states = self.states(poses)
         if states.ndim != 2:
             raise InputError("Checker.clearance", "was given a batch of poses", "one of each")
+        return self.clearance_of(states)
+
+    def clearance_of(self, state: Array) -> Clearance:
+        """That at a state (V, 7)."""
         if not self.pairs:
             return Clearance(None, np.inf, 0.0, np.inf)
-        placed = self.parts.place(states[None])
+        placed = self.parts.place(state[None])
         reach = self._widest_m + FIRST_REACH * float(np.max(self.space.arm_m))
         while True:
             found = self.parts.found(placed, reach)
@@ -190,6 +194,17 @@ class Checker:
         pairs = self.parts.near_one(state, self._widest_m + pad_m)
         required = self._required if pad_m == 0.0 else [m + pad_m for m in self._required]
         return self.parts.one.clear(pairs, required)
+
+    def short_of(self, state: Array, pad_m: float) -> tuple[list[float], list[Array]]:
+        """Of the pairs nearer than margin and pad at a state (V, 7): by how much, in metres, and
+        how the distance grows by a stride (V, 6)."""
+        short, slopes = [], []
+        for i in self.parts.near_one(state, self._widest_m + pad_m):
+            missing = self._required[i] + pad_m - self.parts.one.distance(i)
+            if missing > 0.0:
+                short.append(missing)
+                slopes.append(self.parts.slope_one(state, i))
+        return short, slopes
 
     def valid_states(self, states: Array, pad_m: float = 0.0) -> Flags:
         """Flags (k,) of states (k, V, 7); with ``pad_m`` more than the margins."""

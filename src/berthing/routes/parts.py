@@ -27,7 +27,7 @@ class Placed:
     Attributes:
         turn, place: of each moving part (k, s, 3, 3), (k, s, 3).
         centre: of their balls (k, s, 3).
-        origin: of the vehicles' frames (k, V, 3).
+        origin: of the vehicles' frames (k, V, 3), or states (k, V, 7) that begin with it.
     """
 
     turn: Array
@@ -138,6 +138,16 @@ class Parts:
         pairs: list[int] = self.near(self.place(state[None]), reach_m)[1].tolist()
         return pairs
 
+    def slope_one(self, state: Array, pair: int) -> Array:
+        """How the distance of a pair, asked of ``one`` before, grows by a stride (V, 6)."""
+        placed = Placed(
+            self.one.turn[None], self.one.place[None], self.one.place[None], state[None]
+        )
+        whole = np.zeros((1, len(state), 6))
+        first = np.zeros(1, dtype=np.intp)
+        self._add_gradients(whole, first, placed, pair, first, self.one.rows[pair][None])
+        return np.asarray(whole[0])
+
     def found(self, placed: Placed, reach_m: float, *, gradients: bool = False) -> Found:
         """Distances of the pairs whose balls have a gap of ``reach_m`` at most."""
         state, pair = self.near(placed, reach_m)
@@ -167,6 +177,6 @@ class Parts:
         ends = [(self._a[pair], BY_A)] + ([] if self._b_rests[pair] else [(self._b[pair], BY_B)])
         for slot, columns in ends:
             vehicle = self._moving.rows[slot]
-            arm = placed.place[states, slot] - placed.origin[states, vehicle]
+            arm = placed.place[states, slot] - placed.origin[states, vehicle, :3]
             push, turn = rows[:, columns][:, :3], rows[:, columns][:, 3:]
             whole[here, vehicle] = np.concatenate([push, turn + cross(arm, push)], axis=1)

@@ -112,9 +112,7 @@ class SequentialSolver:
             status = TIME_LIMIT
         return replace(at.outcome, status=status, iterations=iterations, wall_time_s=seconds)
 
-    def _bounds(
-        self, scenario: Scenario, here: Start, step: float | None
-    ) -> tuple[Array, Array]:
+    def _bounds(self, scenario: Scenario, here: Start, step: float | None) -> tuple[Array, Array]:
         """Normals and points held where ``here`` puts them; poses within ``step`` of it."""
         lower, upper = (bound.copy() for bound in self.problem.layout.variables.bounds())
         x = here.vector(self.problem, scenario)
@@ -139,4 +137,3 @@ class SequentialSolver:
         scaled = outcome.cost / self.problem.layout.scale.cost
         merit = scaled + PENALTY * float(np.sum(overlap))
         return _Point(outcome, merit, float(np.max(overlap, initial=0.0)))
-

@@ -98,9 +98,7 @@ _MODELS: dict[type[Block], Callable[[Any, int, Source, Path], Model]] = {
     RigidBodyBlock: _rigid_body,
     PointMassBlock: lambda block, dim, source, path: PointMass(block.mass_kg, dim),
     BicycleBlock: lambda block, dim, source, path: bicycle(block.wheelbase_m),
-    FreeFlyerBlock: lambda block, dim, source, path: free_flyer(
-        block.mass_kg, block.inertia_kg_m2
-    ),
+    FreeFlyerBlock: lambda block, dim, source, path: free_flyer(block.mass_kg, block.inertia_kg_m2),
     UserModelBlock: lambda block, dim, source, path: build_user_model(block, source, path),
 }
 
