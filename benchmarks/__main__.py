@@ -10,7 +10,8 @@ from pathlib import Path
 def main() -> int:
     """Run the benchmark named first on the command line with the arguments after it."""
     here = Path(__file__).parent
-    names = sorted(p.stem for p in here.glob("*.py") if not p.stem.startswith("_"))
+    files = [*here.glob("*.py"), *(own.parent for own in here.glob("*/__init__.py"))]
+    names = sorted(p.stem for p in files if not p.stem.startswith("_"))
     if len(sys.argv) < 2 or sys.argv[1] not in names:
         print(f"usage: python -m benchmarks NAME [--json FILE], NAME one of: {', '.join(names)}")
         return 2
