@@ -16,7 +16,8 @@ from benchmarks._by_case import run
 from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import first_motions
 from berthing.guess.normals import exact_normals
-from berthing.planner import COARSE_ITERATIONS, COARSE_SEGMENTS, DEGREE
+from berthing.planner import COARSE_SEGMENTS, DEGREE
+from berthing.refine.first_answers import COARSE_ITERATIONS
 from berthing.refine.refiner import BACKOFF_M
 from berthing.scenario.files import load
 from berthing.solve.ipopt import Budget, Solver, Start

@@ -10,29 +10,21 @@ from dataclasses import dataclass, field, replace
 from berthing import result as outcomes
 from berthing.errors import InputError
 from berthing.flight.flown import with_controls
-from berthing.guess.continuation import Continuation
-from berthing.guess.first_motions import first_motions
-from berthing.guess.nearby import ROOM, near_pairs
-from berthing.guess.normals import exact_normals
-from berthing.guess.search import EFFORTS, Search
 from berthing.proximity.formulations import check_planned
-from berthing.refine.begin_with import beginning, refine
+from berthing.refine.begin_with import refine
+from berthing.refine.first_answers import WAVES, Coarse, Wave
 from berthing.refine.order import order_check
 from berthing.refine.polish import polish
-from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, attempt
+from berthing.refine.refiner import Refinement, Refiner, attempt
 from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import POLYNOMIAL, SolverOptions
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
-from berthing.solve.ipopt import Answer, Budget, Start
+from berthing.solve.ipopt import Answer
 from berthing.solve.outcome import ADVICE, Outcome
-from berthing.solve.parallel import SolvePool
-from berthing.solve.quick import QuickSolver
 from berthing.transcription.kinks import kink_fractions, through
 from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import Problem, build
-from berthing.transcription.scaling import phase_scale
-from berthing.transcription.sites import node_sites
+from berthing.transcription.problem import Problem
 from berthing.verify.endpoints import check_endpoints
 from berthing.verify.extremal import extremality
 from berthing.verify.observed_order import OrderCheck
@@ -42,12 +34,6 @@ DEGREE = 4
 """Collocated nodes a segment: ten segments of four beat one of forty in time and accuracy."""
 
 COARSE_SEGMENTS, FINE_SEGMENTS = 10, 16
-
-COARSE_TOLERANCE = 1e-6
-"""Of guesses' answers, which are solved again on another mesh."""
-
-COARSE_ITERATIONS = 150
-"""Guesses that lead anywhere converge in 40 to 110; the rest wander."""
 
 Progress = Callable[[ProgressEvent], None]
 
@@ -87,18 +73,13 @@ def plan_with_answer(
     check_planned(work.options.formulation)
     with work.stage("check"):
         check_endpoints(scenario)
-    with work.stage("guess"):
-        problem, search = _answers(work)
     best: Refinement | None = None
-    with closing(search.pool), work.stage("refine"):
-        while (candidate := search.next_candidate(_certified_cost(best))) is not None:
-            name, answer = candidate
-            refined = refine(work.refiner(), name, problem, answer.motion)
-            work.attempts += refined.attempts
-            best = _better(best, refined)
-            if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
-                break
-        if best is not None and work.options.tolerance is not None:
+    for wave in WAVES:
+        best = _from_guesses(work, wave, best)
+        if work.is_done(best):
+            break
+    if best is not None and work.options.tolerance is not None:
+        with work.stage("refine"):
             refiner = work.refiner()
             work.attempts += polish(refiner, "best", best, work.options.tolerance)
             if best.certified and best.answer is not None:
@@ -137,6 +118,12 @@ class _Work:
         parts = [(p.ref_a, p.part_a) for p in pairs] + [(p.ref_b, p.part_b) for p in pairs]
         return list(dict.fromkeys(ref for ref, part in parts if part.planned_smaller))
 
+    def is_done(self, best: Refinement | None) -> bool:
+        """Whether ``best`` is as good as another wave's, or time is up."""
+        if best is not None and (best.certified or (self.smaller and best.plan is not None)):
+            return True
+        return time.monotonic() > self.deadline
+
     @property
     def deadline(self) -> float:
         return self.began + (self.options.time_limit_s or float("inf"))
@@ -160,7 +147,14 @@ class _Work:
         plain = Mesh.of_nodes(self.options.scheme, self.options.nodes, segments, DEGREE)
         return through(plain, kink_fractions(self.phase))
 
-    def refiner(self) -> Refiner:
+    def coarse(self) -> Coarse:
+        """The coarse problem, whose solves are recorded here."""
+        return Coarse(
+            self.scenario, self.phase, self.mesh(COARSE_SEGMENTS), self.options, self.note,
+            self.deadline,
+        )  # fmt: skip
+
+    def refiner(self, *, guarded: bool = False, slow: bool = False) -> Refiner:
         """A refiner that reports here."""
 
         def report(detail: str, iterations: int, clearance_m: float | None) -> None:
@@ -170,7 +164,7 @@ class _Work:
 
         return Refiner(
             self.scenario, self.phase, self.mesh(FINE_SEGMENTS), self.options.formulation,
-            self.options.seed, report, self.deadline,
+            self.options.seed, report, self.deadline, slow=slow, guarded=guarded,
         )  # fmt: skip
 
     def fly(self, best: Refinement) -> None:
@@ -233,55 +227,27 @@ class _Stage:
         self.work.seconds[self.name] = self.work.seconds.get(self.name, 0.0) + spent
 
 
-def _answers(work: _Work) -> tuple[Problem, Search]:
-    """The coarse problem with rows for all that its first answers come near, and those answers."""
-    also: set[int] = set()
-    while True:
-        problem, search = _search(work, also)
-        try:
-            search.first_answers()
-        except BaseException:
-            search.pool.close()
-            raise
-        known = {site.pair for site in problem.separation.sites}
-        near = near_pairs(work.scenario, problem.pairs, problem.mesh, search.motions, 0.0)
-        if near <= known:
-            return problem, search
-        search.pool.close()
-        also = known | near
-
-
-def _search(work: _Work, also: set[int]) -> tuple[Problem, Search]:
-    """The coarse problem and its guesses, ready to be solved.
-
-    Its rows are for the pairs that a guess comes near, and for those of ``also``.
-    """
-    scenario, phase = work.scenario, work.phase
-    mesh, effort = work.mesh(COARSE_SEGMENTS), EFFORTS[work.options.effort]
-    pairs = scenario.pairs(phase)
-    first, normals = beginning(work.options.formulation, pairs), exact_normals(pairs)
-    budget = Budget(COARSE_ITERATIONS, min(work.deadline - time.monotonic(), 1e6))
-    whole = Continuation(
-        scenario, phase, mesh, first.formulation, budget, BACKOFF_M, work.note, first.shapes_of
-    )
-    motions = first_motions(work.options.guess, whole, work.options.seed, effort.drawn)
-    length_m = phase_scale(scenario, phase).length_m
-    guessed = [motion for _, motion in motions]
-    near = also | near_pairs(scenario, pairs, mesh, guessed, ROOM * length_m)
-    sites = [site for site in node_sites(mesh, len(pairs)) if site.pair in near]
-    problem = build(scenario, phase, mesh, sites, first.formulation, shapes_of=first.shapes_of)
-    starts = [Start(motion, normals) for motion in guessed]
-    names = [name for name, _ in motions]
-    solver = QuickSolver(problem, "cold", budget, COARSE_TOLERANCE, falls_back=False)
-    if solver.quick:
-        # What does not come out by our own method is tried by IPOPT, once nothing else is left.
-        starts += [replace(start, patient=True) for start in starts]
-        names += [f"{name}, again" for name in names]
-    pool = SolvePool(solver, scenario, starts, BACKOFF_M)
-    return problem, Search(
-        names, pool, effort, phase, length_m,
-        lambda name, outcome: work.note(name, problem, outcome), work.deadline,
-    )  # fmt: skip
+def _from_guesses(work: _Work, wave: Wave, best: Refinement | None) -> Refinement | None:
+    """``best``, or what is better among the refined answers of a wave."""
+    with work.stage("guess"):
+        found = work.coarse().first(wave)
+    if found is None:
+        return best
+    search, refiner = found.search, work.refiner(guarded=wave.patient, slow=found.slow)
+    astray = False
+    with closing(search.pool), work.stage("refine"):
+        while (
+            candidate := search.next_candidate(_certified_cost(best), more=not astray)
+        ) is not None:
+            name, answer = candidate
+            refined = refine(refiner, name, found.problem, answer.motion)
+            work.attempts += refined.attempts
+            # Where the coarse answer itself steps through things others will: share planes.
+            astray = astray or (refined.astray and not refined.attempts)
+            best = _better(best, refined)
+            if time.monotonic() > work.deadline or (work.smaller and best.plan is not None):
+                break
+    return best
 
 
 def _certified_cost(best: Refinement | None) -> float | None:

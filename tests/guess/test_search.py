@@ -144,3 +144,11 @@ def test_past_the_deadline_nothing_more_is_solved() -> None:
     assert tried(late) == []
     assert isinstance(late.pool, Pool)
     assert late.pool.polls == 0
+
+
+def test_no_guess_is_solved_where_those_solved_already_are_to_do() -> None:
+    found = search([outcome(1.0), outcome(2.0, 3.0)], "fast")
+    found.first_answers()
+    assert next_name(found) == "guess 0"
+    assert found.next_candidate(None, more=False) is None
+    assert next_name(found) == "guess 1"

@@ -31,7 +31,7 @@ vehicles:
     goal: {position_m: [1.5, 0.1, 0]}
 structures:
   - name: block
-    position_m: [0.9, -0.7, 0]
+    position_m: [0.9, -0.4, 0]
     parts: [{name: core, mesh: block.stl, units: mm}]
 """
 pytestmark = pytest.mark.slow

@@ -11,8 +11,8 @@ from berthing.geometry.pose import Pose
 from berthing.solve.ipopt import Solver
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Problem, build, states_at
-from berthing.transcription.sites import Site
-from berthing.transcription.sweeps import neighbours
+from berthing.transcription.sites import Site, node_sites
+from berthing.transcription.sweeps import longest_step, neighbours
 from support.documents import DURATION_S, box, puck, scenario, structure
 from support.solving import BACKOFF_M, Solved, start_of
 
@@ -124,3 +124,12 @@ def test_rows_start_tight_and_are_named() -> None:
 
 def test_formulations_without_planes_have_no_sweeps() -> None:
     assert posed(1.2 * SPACING, "kkt").sweeps == ()
+
+
+@pytest.mark.parametrize("scheme", ["lgr", "lgl"])
+def test_the_longest_step_joins_all_nodes_and_no_more(scheme: str) -> None:
+    mesh = Mesh(scheme, (0.0, 0.3, 1.0), (3, 5))
+    sites = node_sites(mesh, 2)
+    step = longest_step(mesh)
+    assert len(neighbours(sites, mesh, step)) == len(sites) - 2
+    assert len(neighbours(sites, mesh, 0.999 * step)) < len(sites) - 2

@@ -98,12 +98,15 @@ class Search:
         while not self._enough() and self._more():
             pass
 
-    def next_candidate(self, certified_cost: float | None) -> tuple[str, Outcome] | None:
+    def next_candidate(
+        self, certified_cost: float | None, *, more: bool = True
+    ) -> tuple[str, Outcome] | None:
         """The cheapest answer of a passage not tried yet.
 
         Args:
             certified_cost: of the best certified plan. Where there is one, answers that may beat it
-                count; where there is none, guesses are solved until one comes up.
+                count; where there is none, guesses are solved until one comes up,
+            more: but only those solved already count where this is False.
         """
         worth = np.inf if certified_cost is None else self.effort.worth * certified_cost
         while True:
@@ -112,7 +115,7 @@ class Search:
                 if outcome.cost < worth and not known and self._is_new(outcome):
                     self._tried.append(outcome)
                     return name, outcome
-            if certified_cost is not None or not self._more():
+            if certified_cost is not None or not more or not self._more():
                 return None
 
     def _enough(self) -> bool:

@@ -73,7 +73,7 @@ def refine(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Refi
         return refiner.once(name, coarse, motion)
     first = beginning(refiner.formulation, coarse.pairs)
     other = replace(refiner, formulation=first.formulation, shapes_of=first.shapes_of)
-    begun = other.run(name, coarse, motion)
+    begun = _in_its_passage(other, name, coarse, motion)
     if first.formulation == refiner.formulation:
         return begun
     last, attempts = begun, begun.attempts
@@ -89,6 +89,24 @@ def refine(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Refi
         begun = other.follow(f"{name}, {first.formulation} again", last.answer)
         attempts = [*attempts, *begun.attempts]
     return replace(last, attempts=attempts)
+
+
+def _in_its_passage(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Refinement:
+    """Refine, guarded where a round goes astray; what is certified so is let off its guard again,
+    for planes that hold from node to node cost a little."""
+    begun = refiner.run(name, coarse, motion)
+    guard = replace(refiner, guarded=True)
+    if begun.astray and begun.attempts:
+        held = guard.run(f"{name}, guarded", coarse, motion)
+        begun = replace(held, attempts=[*begun.attempts, *held.attempts])
+    elif not refiner.guarded:
+        return begun
+    if not begun.certified or begun.answer is None:
+        return begun
+    freed = replace(refiner, guarded=False).follow(f"{name}, freed", begun.answer)
+    attempts = [*begun.attempts, *freed.attempts]
+    better = freed if freed.certified and freed.cost < begun.cost else begun
+    return replace(better, attempts=attempts)
 
 
 def planned_smaller(pair: Pair) -> bool:

@@ -15,6 +15,7 @@ import numpy as np
 
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
+from berthing.refine.astray import astray
 from berthing.refine.margin_cost import cost_per_margin
 from berthing.refine.place import dip_sites, near_sites, sites_around
 from berthing.refine.remesh import split_unresolved
@@ -30,8 +31,11 @@ from berthing.trajectory import Plan
 from berthing.transcription.extract import nodes, trajectories
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Motion, Problem, ShapesOf, build, planned_shapes
+from berthing.transcription.scaling import phase_scale
 from berthing.transcription.separation_costates import separation_costates
 from berthing.transcription.sites import Site, node_sites
+from berthing.transcription.sweeps import longest_step
+from berthing.transcription.turning import resolved
 from berthing.verify.verdict import UNDECIDED, VIOLATED
 from berthing.verify.verification import Verification, verify
 
@@ -44,6 +48,9 @@ CLEAR_M = 5e-5
 
 NEAR_M = 0.2
 """Rows start where the coarse answer comes within this of its margin."""
+
+GUARDED = 0.2
+"""Of the scenario's length: likewise where a refinement is guarded, if that is more."""
 
 LOOK_M = 2.0
 """Distances are exact up to this beyond the margin; further out a lower bound will do."""
@@ -72,6 +79,7 @@ class Refinement:
 
     Attributes:
         answer: the last solve that ended well, whether its plan is certified or not.
+        astray: whether an answer stepped through something, so that there was no point in going on.
     """
 
     answer: Answer | None = None
@@ -79,6 +87,7 @@ class Refinement:
     verification: Verification | None = None
     outcome: Outcome | None = None
     attempts: list[Attempt] = field(default_factory=list)
+    astray: bool = False
 
     @property
     def certified(self) -> bool:
@@ -109,6 +118,9 @@ class Refiner:
         report: is told (detail, iterations of the round, best sampled clearance).
         deadline: on the monotonic clock.
         shapes_of: what stands for the parts of a pair.
+        slow: whether rates are limited to what each mesh resolves.
+        guarded: whether rows reach further, and all neighbouring nodes share planes: it holds an
+            answer in its passage, at the price of larger problems.
     """
 
     scenario: Scenario
@@ -119,12 +131,18 @@ class Refiner:
     report: Callable[[str, int, float | None], None]
     deadline: float
     shapes_of: ShapesOf = planned_shapes
+    slow: bool = False
+    guarded: bool = False
 
     def run(self, name: str, coarse: Problem, motion: Motion) -> Refinement:
         """Refine ``motion``, the answer of ``coarse``, until certified or out of rounds."""
         mesh = self.mesh
         sampled = self.sample(coarse, motion)
-        sites = near_sites(mesh, len(coarse.pairs), sampled, NEAR_M)
+        if not self.guarded and astray(coarse.pairs, sampled):
+            return Refinement(astray=True)
+        further_m = GUARDED * phase_scale(self.scenario, self.phase).length_m
+        near_m = max(NEAR_M, further_m) if self.guarded else NEAR_M
+        sites = near_sites(mesh, len(coarse.pairs), sampled, near_m)
         motion = resample(motion, self.phase, coarse.mesh, mesh)
         spacing = SPACING * motion.duration_s / mesh.control_count
         reach = REACH * motion.duration_s / mesh.control_count
@@ -169,6 +187,9 @@ class Refiner:
                 break
             result.outcome, motion = outcome, outcome.motion
             result.answer = Answer(problem, outcome)
+            if not self.guarded and astray(problem.pairs, sampled):
+                result.astray = True
+                break
             close = sampled.worst_m < CARRY_M
             previous = result.answer if close else None
             spacing *= SHRINK
@@ -211,8 +232,11 @@ class Refiner:
 
     def _build(self, mesh: Mesh, sites: list[Site]) -> Problem:
         within = SWEEP * SPACING / self.mesh.control_count
+        if self.guarded:
+            within = max(within, longest_step(mesh))
+        phase = resolved(self.scenario, self.phase, mesh) if self.slow else self.phase
         return build(
-            self.scenario, self.phase, mesh, sites, self.formulation,
+            self.scenario, phase, mesh, sites, self.formulation,
             shapes_of=self.shapes_of, sweep_within=within,
         )  # fmt: skip
 

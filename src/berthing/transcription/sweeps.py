@@ -25,10 +25,13 @@ from berthing.transcription.inputs import Inputs
 from berthing.transcription.layout import PhaseLayout
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.separation import Places, SiteRows, margin_name, part_pose
-from berthing.transcription.sites import Site
+from berthing.transcription.sites import Site, node_sites
 
 Shares = Callable[[Site, Site], bool]
 """Whether two neighbouring sites of a pair are to share a plane."""
+
+ROUNDING = 1e-9
+"""Of sums of fractions."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,13 @@ def neighbours(sites: Sequence[Site], mesh: Mesh, within: float) -> list[tuple[i
         for i, j in pairwise(order)
         if sites[i].pair == sites[j].pair and at[j] - at[i] <= within
     ]
+
+
+def longest_step(mesh: Mesh) -> float:
+    """The longest step (a fraction of the phase) from one node's site to the next: neighbours that
+    are no further apart are all that there are, where sites stand at every node."""
+    at = [mesh.fraction(site.segment, site.s) for site in node_sites(mesh, 1)]
+    return (1.0 + ROUNDING) * float(np.max(np.diff(at), initial=0.0))
 
 
 def add_sweeps(

@@ -1,0 +1,146 @@
+"""The coarse problem and its answers, one round of all the guesses after the other."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from berthing.guess.continuation import Continuation
+from berthing.guess.first_motions import first_motions
+from berthing.guess.nearby import ROOM, near_pairs
+from berthing.guess.normals import exact_normals
+from berthing.guess.search import EFFORTS, Search
+from berthing.refine.begin_with import beginning
+from berthing.refine.refiner import BACKOFF_M
+from berthing.scenario.options import SolverOptions
+from berthing.scenario.phase import Phase
+from berthing.scenario.scenario import Scenario
+from berthing.solve.ipopt import Budget, Start
+from berthing.solve.outcome import Outcome
+from berthing.solve.parallel import SolvePool
+from berthing.solve.quick import QuickSolver
+from berthing.transcription.mesh import Mesh
+from berthing.transcription.problem import Problem, build
+from berthing.transcription.scaling import phase_scale
+from berthing.transcription.sites import node_sites
+from berthing.transcription.sweeps import longest_step
+from berthing.transcription.turning import resolved, too_fast
+
+COARSE_TOLERANCE = 1e-6
+"""Of guesses' answers, which are solved again on another mesh."""
+
+COARSE_ITERATIONS = 150
+"""Guesses that lead anywhere converge in 40 to 110; the rest wander."""
+
+PATIENT_ITERATIONS = 300
+"""Of a patient wave: with planes shared between the nodes answers come in 90 to 280."""
+
+
+@dataclass(frozen=True)
+class Wave:
+    """One round of all the guesses.
+
+    Attributes:
+        suffix: of the guesses' names.
+        patient: whether IPOPT solves it, who gives up later than our own method, and neighbouring
+            nodes share planes, so that no answer steps through a wall between them.
+    """
+
+    suffix: str
+    patient: bool
+
+
+WAVES = (Wave("", patient=False), Wave(", again", patient=True))
+"""The second is for what the first finds no certified plan for."""
+
+
+@dataclass(frozen=True)
+class Round:
+    """The coarse problem of a wave and its guesses, the first of them solved.
+
+    Attributes:
+        problem: the coarse problem.
+        search: its guesses and answers.
+        slow: whether rates are limited to what meshes resolve.
+    """
+
+    problem: Problem
+    search: Search
+    slow: bool
+
+
+@dataclass(frozen=True)
+class Coarse:
+    """The coarse problem of one phase.
+
+    Attributes:
+        note: is told (name, problem, outcome) of each solve.
+        deadline: on the monotonic clock.
+    """
+
+    scenario: Scenario
+    phase: Phase
+    mesh: Mesh
+    options: SolverOptions
+    note: Callable[[str, Problem, Outcome], None]
+    deadline: float
+
+    def first(self, wave: Wave) -> Round | None:
+        """With rows for all that the first answers come near; None where the wave has nothing new
+        for this form, which is IPOPT's from the start."""
+        also: set[int] = set()
+        slow = False
+        while True:
+            found = self._round(wave, also, slow)
+            if found is None:
+                return None
+            try:
+                found.search.first_answers()
+            except BaseException:
+                found.search.pool.close()
+                raise
+            motions, problem = found.search.motions, found.problem
+            known = {site.pair for site in problem.separation.sites}
+            near = near_pairs(self.scenario, problem.pairs, self.mesh, motions, 0.0)
+            fast = not slow and too_fast(self.phase, self.mesh, motions)
+            if near <= known and not fast:
+                return found
+            found.search.pool.close()
+            also, slow = known | near, slow or fast
+
+    def _round(self, wave: Wave, also: set[int], slow: bool) -> Round | None:
+        """The coarse problem and its guesses, ready to be solved.
+
+        Its rows are for the pairs that a guess comes near, and for those of ``also``.
+        """
+        scenario, mesh = self.scenario, self.mesh
+        phase = resolved(scenario, self.phase, mesh) if slow else self.phase
+        effort, pairs = EFFORTS[self.options.effort], scenario.pairs(phase)
+        first = beginning(self.options.formulation, pairs)
+        iterations = PATIENT_ITERATIONS if wave.patient else COARSE_ITERATIONS
+        budget = Budget(iterations, max(min(self.deadline - time.monotonic(), 1e6), 0.0))
+        whole = Continuation(
+            scenario, phase, mesh, first.formulation, budget, BACKOFF_M, self.note, first.shapes_of
+        )
+        motions = first_motions(self.options.guess, whole, self.options.seed, effort.drawn)
+        length_m = phase_scale(scenario, phase).length_m
+        guessed = [motion for _, motion in motions]
+        near = also | near_pairs(scenario, pairs, mesh, guessed, ROOM * length_m)
+        problem = build(
+            scenario, phase, mesh,
+            [site for site in node_sites(mesh, len(pairs)) if site.pair in near],
+            first.formulation, shapes_of=first.shapes_of,
+            sweep_within=longest_step(mesh) if wave.patient else 0.0,
+        )  # fmt: skip
+        solver = QuickSolver(problem, "cold", budget, COARSE_TOLERANCE, falls_back=False)
+        if wave.patient and not solver.quick:
+            return None
+        normals = exact_normals(pairs)
+        starts = [Start(motion, normals, patient=wave.patient) for motion in guessed]
+        search = Search(
+            [f"{name}{wave.suffix}" for name, _ in motions],
+            SolvePool(solver, scenario, starts, BACKOFF_M), effort, phase, length_m,
+            lambda name, outcome: self.note(name, problem, outcome), self.deadline,
+        )  # fmt: skip
+        return Round(problem, search, slow)
