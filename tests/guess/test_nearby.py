@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from berthing import planner
 from berthing.guess.candidates import candidates
 from berthing.guess.nearby import ROOM, near_pairs
 from berthing.guess.path import motion_along
 from berthing.planner import plan
+from berthing.refine import first_answers
 from berthing.refine.refiner import BACKOFF_M
 from berthing.result import CERTIFIED
 from berthing.scenario.scenario import Scenario
@@ -76,7 +76,7 @@ def test_what_an_answer_runs_into_gets_rows(alone: float, monkeypatch: pytest.Mo
         # The first time, as if no guess came near.
         return set() if len(calls) == 1 else found
 
-    monkeypatch.setattr(planner, "near_pairs", forgetful)
+    monkeypatch.setattr(first_answers, "near_pairs", forgetful)
     result = plan(scenario(puck(), structures=[POST]))
     assert len(calls) == 4
     assert calls[1] == 0.0 < calls[0]
