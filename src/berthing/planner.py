@@ -26,9 +26,9 @@ from berthing.transcription.kinks import kink_fractions, through
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Problem
 from berthing.verify.endpoints import check_endpoints
-from berthing.verify.extremal import extremality
+from berthing.verify.extremal import Extremality, with_best_costates
 from berthing.verify.observed_order import OrderCheck
-from berthing.verify.verification import verify
+from berthing.verify.verification import verify, with_costates_of
 
 DEGREE = 4
 """Collocated nodes a segment: ten segments of four beat one of forty in time and accuracy."""
@@ -84,6 +84,9 @@ def plan_with_answer(
             work.attempts += polish(refiner, "best", best, work.options.tolerance)
             if best.certified and best.answer is not None:
                 work.order = order_check(refiner, "order", best.answer, work.attempts)
+    if best is not None:
+        with work.stage("optimality"):
+            work.judge(best)
     if best is not None and work.options.controls != POLYNOMIAL:
         with work.stage("controls"):
             work.fly(best)
@@ -103,6 +106,7 @@ class _Work:
     clearance_m: float | None = None
     began: float = field(default_factory=time.monotonic)
     order: OrderCheck | None = None
+    extremality: Extremality | None = None
 
     @property
     def phase(self) -> Phase:
@@ -167,6 +171,12 @@ class _Work:
             self.options.seed, report, self.deadline, slow=slow, guarded=guarded,
         )  # fmt: skip
 
+    def judge(self, best: Refinement) -> None:
+        """Give the plan the better of the costates at hand, and find how near it is to optimal."""
+        if best.plan is not None and best.verification is not None:
+            best.plan, self.extremality = with_best_costates(self.scenario, best.plan)
+            best.verification = with_costates_of(self.scenario, best.plan, best.verification)
+
     def fly(self, best: Refinement) -> None:
         """In place of the plan the one that flies with the controls asked for, checked anew."""
         if best.plan is not None:
@@ -196,11 +206,9 @@ class _Work:
 
     def _shown(self, result: Result) -> Result:
         """With what is known of its optimality; piecewise controls are the solver's no more."""
-        assert result.plan is not None
         if self.options.controls != POLYNOMIAL:
             return result
-        found = extremality(self.scenario, result.plan)
-        return replace(result, extremality=found, order=self.order)
+        return replace(result, extremality=self.extremality, order=self.order)
 
     def _failure(self) -> tuple[str, str]:
         """The commonest way in which the attempts failed, and what to try."""

@@ -7,7 +7,7 @@ of the absolute values of its coefficients, and a sub-interval by those of its r
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -144,6 +144,9 @@ class VehicleNodes:
         controls: (k, nu); a row is NaN where the scheme has no control at that node.
         costates: (k, nx), of the cost in physical units: H = L + costate · f.
             NaN where the scheme has none.
+        multipliers: (k,) of limits and path constraints by ``limit_name`` and ``path_names``, cost
+            a unit and second; NaN where there is no control. Limits that nothing is known of are
+            not among them.
     """
 
     phase: str
@@ -152,6 +155,27 @@ class VehicleNodes:
     states: Array
     controls: Array
     costates: Array
+    multipliers: Mapping[str, Array] = field(default_factory=dict)
+
+
+def limit_name(component: str) -> str:
+    """What the multiplier of a state's or control's limits is called: positive presses at the
+    upper limit, negative at the lower one."""
+    return f"limit_{component}"
+
+
+def path_name(constraint: str, row: int) -> str:
+    """What the multiplier of a row of a path constraint g ≤ 0 is called."""
+    return f"path_{constraint}_{row}"
+
+
+def path_names(constraint: str, among: Iterable[str]) -> list[str]:
+    """Those of the rows of a constraint that are among the names, in order."""
+    known = set(among)
+    found: list[str] = []
+    while (name := path_name(constraint, len(found))) in known:
+        found.append(name)
+    return found
 
 
 @dataclass(frozen=True)

@@ -71,7 +71,7 @@ COARSE = Study(3, 5, (21, 42, 84), (1.0 + 33e-9, 1.0 + 1e-9, 1.0))
     ],
 )
 def test_the_order_of_the_cost_is_printed_with_where_it_was_seen(shown, words: str) -> None:
-    known = Extremality(1e-9, 1e-4, 0.0, 0.0, 0.0, None)
+    known = Extremality(1e-9, 1e-4, 0.0, 0.0, 0.0, 0.0, None)
     result = Result("certified", None, None, extremality=known, order=OrderCheck(FINE, shown))
     rows = optimality_rows(result)
     assert row(rows, "cost, mesh halved twice") == "moves by 7e-11, then 5e-13"

@@ -1,5 +1,6 @@
 """What is written reads back the same, to the last bit."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -24,6 +25,13 @@ from berthing.trajectory_io import (
     write_nodes,
     write_trajectory,
 )
+from berthing.trajectory_io.separation_costates import (
+    KEY,
+    MOST_ROWS,
+    read_separations,
+    separations_document,
+)
+from berthing.trajectory_io.tables import read_table
 
 BALL = [{"name": "ball", "shape": {"type": "sphere", "radius_m": 0.5}}]
 DISC = [{"name": "disc", "shape": {"type": "box", "size_m": [1, 1]}}]
@@ -196,3 +204,58 @@ def test_nan_and_lists_are_not_objects(tmp_path: Path) -> None:
         path.write_text(content)
         with pytest.raises(InputError, match=said):
             read_object(path)
+
+
+PAIRED = {
+    **RIGID,
+    "structures": [{"name": "rock", "position_m": [9, 0, 0], "parts": BALL}],
+}
+ROW = {"phase": "main", "pair": "craft.ball|rock.ball", "time_s": 4.0, "multiplier": 0.25,
+       "jumps": {"craft": [0.1 * i for i in range(13)]}}  # fmt: skip
+
+
+def test_multipliers_of_limits_and_paths_come_back(tmp_path: Path) -> None:
+    whole = from_document(RIGID)
+    _, nodes = random_plan(whole)
+    pulls = {"limit_fx_n": np.linspace(-1.0, 1.0, 7), "path_cone_0": np.arange(7.0)}
+    pulls["limit_fx_n"][-1] = np.nan
+    write_nodes(tmp_path / "n.csv", whole, [replace(nodes, multipliers=pulls)])
+    (back,) = read_nodes(tmp_path / "n.csv", whole)
+    assert set(back.multipliers) == set(pulls)
+    for name, values in pulls.items():
+        np.testing.assert_array_equal(back.multipliers[name], values)
+
+
+def test_nodes_say_what_separation_rows_pull_until_the_next(tmp_path: Path) -> None:
+    whole = from_document(PAIRED)
+    _, nodes = random_plan(whole)
+    rows = read_separations({KEY: [ROW, {**ROW, "time_s": 4.9}, {**ROW, "time_s": 5.0}]}, whole, "")
+    write_nodes(tmp_path / "n.csv", whole, [nodes], rows)
+    table = read_table(tmp_path / "n.csv")
+    column = table.numbers("separation_craft.ball|rock.ball", range(7))
+    np.testing.assert_array_equal(column, [0.0, 0.0, 0.5, 0.25, 0.0, 0.0, 0.0])
+
+
+def test_separation_rows_come_back() -> None:
+    whole = from_document(PAIRED)
+    rows = read_separations({KEY: [ROW]}, whole, "plan.json")
+    assert separations_document(rows) == [ROW]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"pair": "craft.ball|moon.ball"}, {"phase": "other"}, {"pair": 3}, {"time_s": None},
+        {"multiplier": "much"}, {"jumps": []}, {"jumps": {"tug": [0.0] * 13}},
+        {"jumps": {"craft": [0.0] * 12}}, {"jumps": {"craft": [[0.0]] * 13}},
+    ],
+)  # fmt: skip
+def test_rows_of_something_else_are_refused(change: dict) -> None:
+    whole = from_document(PAIRED)
+    with pytest.raises(InputError):
+        read_separations({KEY: [{**ROW, **change}]}, whole, "plan.json")
+
+
+def test_too_many_rows_are_refused() -> None:
+    with pytest.raises(InputError, match="at most"):
+        read_separations({KEY: [ROW] * (MOST_ROWS + 1)}, from_document(PAIRED), "plan.json")

@@ -11,7 +11,8 @@ import pytest
 from berthing.geometry.box import Box
 from berthing.scenario.attitude import AxisAttitude, FreeAttitude
 from berthing.trajectory import SeparationCostate
-from berthing.verify.extremal import Extremality, extremality, ranges
+from berthing.verify.extremal import Extremality, extremality, with_best_costates
+from berthing.verify.lagrangian import ranges
 
 START, GOAL = (0.0, 0.0, 0.0), (3.0, 1.0, -2.0)
 LEAST = 12.0 * 3.0**2 * 14.0 / 10.0**3
@@ -56,7 +57,13 @@ def test_costates_of_the_position_must_fit_those_of_the_velocity(straight) -> No
     scenario, plan = straight
     found = extremality(scenario, changed(plan, r=(slice(0, 3), lambda p: -p)))
     assert found.adjoint > 0.1
-    assert found.stationarity < 1e-8
+    assert found.limiting == "adjoint"
+
+
+def all_rooms(monkeypatch, room: float) -> None:
+    """Every row has this much room."""
+    own = "berthing.verify.extremal.rooms_m"
+    monkeypatch.setattr(own, lambda _, plan: [room for _ in plan.separations])
 
 
 def kinked(straight, at_s: float, size: float):
@@ -78,7 +85,7 @@ def test_a_row_accounts_for_its_own_jump(straight, monkeypatch, factor, good) ->
     jump = np.zeros(13)
     jump[:3] = 0.2 * factor * np.array(GOAL)
     rows = (SeparationCostate("main", "a|b", 5.0, 0.2, {name: jump}),)
-    monkeypatch.setattr("berthing.verify.extremal.room_m", lambda *_: 0.0)
+    all_rooms(monkeypatch, 0.0)
     found = extremality(scenario, replace(plan, separations=rows))
     assert (found.adjoint < 1e-8) is good
     assert extremality(scenario, plan).adjoint > 0.1
@@ -87,7 +94,7 @@ def test_a_row_accounts_for_its_own_jump(straight, monkeypatch, factor, good) ->
 def test_multipliers_have_a_sign_and_pull_only_at_the_margin(straight, monkeypatch) -> None:
     scenario, plan = straight
     rows = [SeparationCostate("main", "a|b", 5.0, value, {}) for value in (0.3, -0.1)]
-    monkeypatch.setattr("berthing.verify.extremal.room_m", lambda *_: 0.01)
+    all_rooms(monkeypatch, 0.01)
     held = extremality(scenario, replace(plan, separations=(rows[0],)))
     assert held.complementarity == pytest.approx(0.3 * 0.01 / LEAST)
     assert held.dual == 0.0
@@ -119,6 +126,77 @@ def test_a_free_end_must_promise_nothing(straight) -> None:
     assert extremality(with_goal(scenario, attitude=about), tilted).transversality > 1e-3
     across = AxisAttitude(np.array([1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]))
     assert extremality(with_goal(scenario, attitude=across), tilted).transversality < 1e-8
+
+
+def test_the_adjoint_equations_mend_costates_that_do_not_meet_them(straight) -> None:
+    """All but the last are spoiled; carried back from it, they are those of the extremal."""
+    scenario, plan = straight
+    nodes = plan.nodes[0]
+    spoiled = nodes.costates.copy()
+    spoiled[1:-1] *= 1.5
+    bad = replace(plan, nodes=(replace(nodes, costates=spoiled),))
+    mended, found = with_best_costates(scenario, bad)
+    assert extremality(scenario, bad).worst > 0.1
+    assert found.worst < 1e-8
+    np.testing.assert_allclose(mended.nodes[0].costates, nodes.costates, atol=1e-8)
+    # Where the last is wrong there is nothing to go by.
+    wrong = changed(plan, all=(slice(None), lambda p: -p))
+    _, still = with_best_costates(scenario, wrong)
+    assert still.worst > 0.1
+
+
+def test_good_costates_are_left_as_they_are(straight) -> None:
+    scenario, plan = straight
+    same, found = with_best_costates(scenario, plan)
+    assert same is plan or found.limiting == "adjoint"
+    blank = replace(plan.nodes[0], costates=np.full_like(plan.nodes[0].costates, np.nan))
+    assert with_best_costates(scenario, replace(plan, nodes=(blank,)))[1] is None
+
+
+def test_controls_that_do_not_follow_their_dynamics_count(straight) -> None:
+    """λ (ẋ − f) is what the cost may have gained by it."""
+    scenario, plan = straight
+    own = plan.phases[0].vehicles[0]
+    pushed = []
+    for segment in own.segments:
+        control = segment.control.copy()
+        control[0, 0] *= 1.01
+        pushed.append(replace(segment, control=control))
+    moved = replace(own, segments=tuple(pushed))
+    off = replace(plan, phases=(replace(plan.phases[0], vehicles=(moved,)),))
+    assert extremality(scenario, plan).primal < 1e-9
+    assert extremality(scenario, off).primal > 1e-3
+
+
+def with_limit(scenario, value: float):
+    phase = scenario.phases[0]
+    own = phase.vehicles[0]
+    limits = replace(own.limits, control_upper=np.full(6, value), control_lower=np.full(6, -value))
+    return replace(scenario, phases=(replace(phase, vehicles=(replace(own, limits=limits),)),))
+
+
+def test_multipliers_of_limits_enter_where_they_are_known(straight) -> None:
+    """A torque that H would have grow: the multiplier of its limit makes up for the slope, has to
+    have the sign of its side, and pulls only at the limit."""
+    scenario, plan = straight
+    nodes = plan.nodes[0]
+    pressed = nodes.costates.copy()
+    pressed[:, 10] -= 1.0
+    slope = pressed[:, 10] / np.trace(scenario.phases[0].vehicles[0].model.inertia_kg_m2) * 3.0
+
+    def given(values, limit: float):
+        own = replace(nodes, costates=pressed, multipliers={"limit_gx_nm": values})
+        return extremality(with_limit(scenario, limit), replace(plan, nodes=(own,)))
+
+    met = given(-slope, 0.1)
+    assert met.stationarity < 1e-6
+    assert met.adjoint < 1e-6
+    assert met.dual == 0.0
+    # No torque is used: all of the limit is room.
+    assert met.complementarity == pytest.approx(-slope[0] * 0.1 * 10.0 / LEAST, rel=1e-6)
+    assert given(slope, 0.1).stationarity > 0.1
+    assert given(0.0 * slope, 0.1).stationarity > 0.05
+    assert given(-slope, math.inf).dual > 0.1
 
 
 def test_a_control_at_its_limit_may_press_against_it(straight) -> None:
@@ -154,10 +232,12 @@ def test_without_costates_nothing_is_said(straight) -> None:
 
 
 def test_digits_are_those_of_the_worst() -> None:
-    found = Extremality(1e-9, 3e-4, 0.0, 1e-6, 0.0, None)
+    found = Extremality(1e-9, 3e-4, 0.0, 1e-6, 0.0, 1e-5, 0.1)
     assert found.limiting == "adjoint"
     assert found.digits == 3.5
-    assert math.isinf(Extremality(0.0, 0.0, 0.0, 0.0, 0.0, None).digits)
+    # The drift is no share of the cost, and stands by itself.
+    assert found.to_json()["drift"] == 0.1
+    assert math.isinf(Extremality(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, None).digits)
     assert found.to_json()["worst"] == 3e-4
 
 

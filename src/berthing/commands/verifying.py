@@ -10,7 +10,13 @@ from berthing import result as outcomes
 from berthing.commands.console import print_rows
 from berthing.commands.exit_codes import CERTIFIED, NOT_CERTIFIED
 from berthing.report.plan_json import to_text
-from berthing.report.verdict_table import Row, headline, reason_rows, verification_rows
+from berthing.report.verdict_table import (
+    Row,
+    extremality_rows,
+    headline,
+    reason_rows,
+    verification_rows,
+)
 from berthing.verify.folder import verify_folder
 from berthing.verify.verification import Verification
 
@@ -30,10 +36,16 @@ def run(folder: Path, *, as_json: bool, trust: bool = False, search: bool = Fals
     verification = verify_folder(folder, trust=trust, search=search)
     outcome = outcome_of(verification)
     if as_json:
-        document = {"outcome": outcome, "verification": verification.to_json()}
+        found = verification.optimality
+        document = {
+            "outcome": outcome,
+            "verification": verification.to_json(),
+            "optimality": None if found is None else found.to_json(),
+        }
         typer.echo(to_text(document), nl=False)
     else:
         rows = [Row("folder", str(folder)), headline(outcome), *verification_rows(verification)]
+        rows += extremality_rows(verification.optimality)
         print_rows([*rows, *reason_rows(verification)])
     return CERTIFIED if verification.certified else NOT_CERTIFIED
 

@@ -65,7 +65,7 @@ def _write_plan(
     fingerprint = document_sha256(scenario.document)
     write_interpolant(folder / INTERPOLANT_JSON, plan.phases, fingerprint)
     write_trajectory(folder / TRAJECTORY_CSV, scenario, plan.phases)
-    write_nodes(folder / NODES_CSV, scenario, plan.nodes)
+    write_nodes(folder / NODES_CSV, scenario, plan.nodes, plan.separations)
     claims = claims_of(verification.certificates, fingerprint)
     write_claims(folder / CERTIFICATE_JSON, claims)
     figures = folder / FIGURES

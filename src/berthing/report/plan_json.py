@@ -17,6 +17,7 @@ from berthing.scenario.normal import document_sha256
 from berthing.scenario.options import SolverOptions
 from berthing.scenario.scenario import Scenario
 from berthing.trajectory import Plan
+from berthing.trajectory_io.separation_costates import KEY, separations_document
 from berthing.verify.folder import SCHEMA_VERSION
 from berthing.verify.verification import Verification
 
@@ -61,16 +62,7 @@ def optimality_document(result: Result) -> dict[str, Any] | None:
         **result.extremality.to_json(),
         "observed_order": None if result.order is None else result.order.order,
         "order_check": None if result.order is None else result.order.to_json(),
-        "separation_costates": [
-            {
-                "phase": own.phase,
-                "pair": own.pair,
-                "time_s": own.time_s,
-                "multiplier": own.multiplier,
-                "jumps": {name: jump.tolist() for name, jump in own.jumps.items()},
-            }
-            for own in result.plan.separations
-        ],
+        KEY: separations_document(result.plan.separations),
     }
 
 

@@ -10,6 +10,7 @@ from berthing.report.margin_loss import cost_lost
 from berthing.result import CERTIFIED, UNDECIDED, Attempt, Result
 from berthing.scenario.scenario import Scenario
 from berthing.trajectory import Plan
+from berthing.verify.extremal import Extremality
 from berthing.verify.observed_order import OrderCheck
 from berthing.verify.verdict import CERTIFIED as PAIR_CERTIFIED
 from berthing.verify.verdict import EXEMPT
@@ -101,11 +102,7 @@ def plan_rows(plan: Plan, verification: Verification) -> list[Row]:
 
 def optimality_rows(result: Result) -> list[Row]:
     """How nearly the plan meets the conditions of optimality; none where nothing is known."""
-    found = result.extremality
-    if found is None:
-        return []
-    short = f"to 1e-{found.digits:.1f}, by {found.limiting}"
-    rows = [Row("Pontryagin extremal", short, None, ("optimality",))]
+    rows = extremality_rows(result.extremality)
     if result.order is not None:
         wide, narrow = result.order.own.moves
         keys = ("optimality.order_check", "optimality.observed_order")
@@ -114,6 +111,31 @@ def optimality_rows(result: Result) -> list[Row]:
             Row("observed order of the cost", _order(result.order), None, keys),
         ]
     return rows
+
+
+CONDITIONS: Mapping[str, str] = {
+    "stationarity": "stationarity of H in the controls",
+    "adjoint": "adjoint equations",
+    "transversality": "transversality",
+    "complementarity": "complementarity",
+    "dual": "dual feasibility",
+    "primal": "primal feasibility",
+}
+"""Residuals that are shares of the cost, in words."""
+
+
+def extremality_rows(found: Extremality | None) -> list[Row]:
+    """The residuals of Pontryagin's conditions; none where they are not known."""
+    if found is None:
+        return []
+    near = f"to 1e-{found.digits:.1f}" if found.digits > 0.0 else "not"
+    worst = f"{near}: worst is {found.limiting}, {found.worst:.1g} of the cost"
+    residuals = found.residuals
+    rows = [
+        Row(label, f"off by {residuals[key]:.1g} of the cost", None, (f"optimality.{key}",))
+        for key, label in CONDITIONS.items()
+    ]
+    return [Row("Pontryagin extremal", worst, None, ("optimality.worst",)), *rows]
 
 
 def _order(found: OrderCheck) -> str:

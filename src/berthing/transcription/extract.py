@@ -7,6 +7,7 @@ import numpy as np
 from berthing.geometry.arrays import Array
 from berthing.trajectory import PhaseTrajectory, Segment, VehicleNodes, VehicleTrajectory
 from berthing.transcription.lagrange import to_chebyshev
+from berthing.transcription.limit_costates import limit_costates
 from berthing.transcription.problem import Motion, Problem
 
 
@@ -40,7 +41,7 @@ def trajectories(problem: Problem, motion: Motion) -> PhaseTrajectory:
 
 
 def nodes(problem: Problem, motion: Motion, multipliers: Array) -> tuple[VehicleNodes, ...]:
-    """States, controls and costates at the state points.
+    """States, controls, costates and multipliers of limits at the state points.
 
     Costates follow by the covector mapping (Garg et al., 10.1007/s10589-009-9291-0). With the
     defects written D X - (h/2) f and their multipliers μ, stationarity in the controls gives
@@ -69,7 +70,13 @@ def nodes(problem: Problem, motion: Motion, multipliers: Array) -> tuple[Vehicle
             controls[[first + i for i in c]] = motion.controls[vehicle.name][:, j : j + len(c)].T
         costates *= problem.layout.scale.cost / unit.state
         states = np.ascontiguousarray(motion.states[vehicle.name].T)
+        limits = limit_costates(
+            problem.layout, problem.limit_rows, problem.path_rows, multipliers, motion.duration_s,
+            problem.layout.vehicles[vehicle.name],
+        )  # fmt: skip
         out.append(
-            VehicleNodes(problem.phase.name, vehicle.name, times, states, controls, costates)
+            VehicleNodes(
+                problem.phase.name, vehicle.name, times, states, controls, costates, limits
+            )
         )
     return tuple(out)

@@ -24,6 +24,7 @@ from berthing.transcription.elements import Index
 from berthing.transcription.inputs import Inputs
 from berthing.transcription.lagrange import interpolation_matrix
 from berthing.transcription.layout import PhaseLayout, VehicleLayout
+from berthing.transcription.limit_costates import PathRows
 from berthing.transcription.nodes import collocated, declare_node, node_values
 
 BACKOFF = 1.0
@@ -31,15 +32,17 @@ BACKOFF = 1.0
 tolerance itself a row may bulge by two of them between the nodes."""
 
 
-def add_path_constraints(layout: PhaseLayout) -> None:
+def add_path_constraints(layout: PhaseLayout) -> tuple[PathRows, ...]:
     """Append the rows of every vehicle's constraints, each divided by its scale."""
+    out: list[PathRows] = []
     for owner in layout.vehicles.values():
         for constraint in owner.vehicle.path_constraints:
             if _needs_control(owner, constraint):
-                _at_nodes(layout, owner, constraint)
-                _at_ends(layout, owner, constraint)
+                out.append(_at_nodes(layout, owner, constraint))
+                out += _at_ends(layout, owner, constraint)
             else:
-                _at_points(layout, owner, constraint)
+                out.append(_at_points(layout, owner, constraint))
+    return tuple(out)
 
 
 def _needs_control(owner: VehicleLayout, constraint: PathConstraint) -> bool:
@@ -48,16 +51,18 @@ def _needs_control(owner: VehicleLayout, constraint: PathConstraint) -> bool:
     return bool(np.any(ca.which_depends(ca.SX(g), u, 1, False)))
 
 
-def _at_nodes(layout: PhaseLayout, owner: VehicleLayout, constraint: PathConstraint) -> None:
+def _at_nodes(layout: PhaseLayout, owner: VehicleLayout, constraint: PathConstraint) -> PathRows:
     inputs = Inputs()
     node = declare_node(layout, owner, inputs)
     g = constraint.function(node.t, node.x, node.u, CASADI)
     values = node_values(layout, owner)
-    rows = _rows(layout, owner, constraint, g, collocated(layout)[1])
+    points, fractions = collocated(layout)
+    rows = _rows(layout, owner, constraint, g, fractions)
     inputs.add(layout.elements, inputs.kernel(g / constraint.scale), values, rows)
+    return _record(owner, constraint, points, rows)
 
 
-def _at_points(layout: PhaseLayout, owner: VehicleLayout, constraint: PathConstraint) -> None:
+def _at_points(layout: PhaseLayout, owner: VehicleLayout, constraint: PathConstraint) -> PathRows:
     inputs = Inputs()
     x = owner.declare_state(inputs, "x")
     t = layout.t0_s + layout.declare_duration(inputs) * inputs.constant("fraction")
@@ -68,11 +73,14 @@ def _at_points(layout: PhaseLayout, owner: VehicleLayout, constraint: PathConstr
         "x": owner.state.indices.T, "fraction": fractions,
     }  # fmt: skip
     inputs.add(layout.elements, inputs.kernel(g / constraint.scale), values, rows)
+    return _record(owner, constraint, range(len(fractions)), rows)
 
 
-def _at_ends(layout: PhaseLayout, owner: VehicleLayout, constraint: PathConstraint) -> None:
+def _at_ends(
+    layout: PhaseLayout, owner: VehicleLayout, constraint: PathConstraint
+) -> list[PathRows]:
     """One row block a segment whose last point is not collocated."""
-    mesh = layout.mesh
+    mesh, out = layout.mesh, []
     for k in range(mesh.segments):
         nodes = mesh.node_set(k)
         if len(nodes.points) - 1 in nodes.collocated:
@@ -89,9 +97,19 @@ def _at_ends(layout: PhaseLayout, owner: VehicleLayout, constraint: PathConstrai
         first = mesh.control_offset(k)
         columns = {name: owner.control.indices[:, first + j] for j, name in enumerate(names)}
         values = layout.shared_indices(1) | columns
-        values["x"] = owner.state.indices[:, mesh.point_offset(k) + len(nodes.points) - 1]
+        last = mesh.point_offset(k) + len(nodes.points) - 1
+        values["x"] = owner.state.indices[:, last]
         rows = _rows(layout, owner, constraint, g, [fraction])
         inputs.add(layout.elements, inputs.kernel(g / constraint.scale), values, rows)
+        out.append(_record(owner, constraint, [last], rows))
+    return out
+
+
+def _record(
+    owner: VehicleLayout, constraint: PathConstraint, points: Sequence[int], rows: Index
+) -> PathRows:
+    name = owner.vehicle.name
+    return PathRows(name, constraint.name, constraint.scale, np.array(points), rows)
 
 
 def _rows(

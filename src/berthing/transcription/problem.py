@@ -31,6 +31,7 @@ from berthing.transcription.layout import (
     lay_out,
     state_name,
 )
+from berthing.transcription.limit_costates import LimitRows, PathRows
 from berthing.transcription.limits import add_limits
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.norm_slack import slack_name
@@ -93,6 +94,7 @@ class Problem:
         nlp: casadi expressions ``x``, ``p``, ``f``, ``g`` and the functions of their derivatives.
         defect_rows: vehicle → rows (collocated nodes, nx) of each segment's defects.
         separation: the sites and their rows; sweeps: planes shared by two of them.
+        limit_rows, path_rows: those of limits and of path constraints.
     """
 
     scenario: Scenario
@@ -105,6 +107,8 @@ class Problem:
     defect_rows: Mapping[str, Sequence[Index]]
     separation: SiteRows
     sweeps: tuple[Sweep, ...]
+    limit_rows: tuple[LimitRows, ...] = ()
+    path_rows: tuple[PathRows, ...] = ()
 
     @property
     def homotopy(self) -> tuple[float, ...]:
@@ -276,8 +280,7 @@ def build(
     defect_rows = add_defects(layout)
     add_cost(layout, scale.cost)
     add_ends(layout)
-    add_limits(layout)
-    add_path_constraints(layout)
+    limit_rows, path_rows = add_limits(layout), add_path_constraints(layout)
     places = Places(layout)
     separation = add_separation(layout, pairs, formulations, sites, places, regulariser)
     sweeps = add_sweeps(
@@ -285,5 +288,6 @@ def build(
     )
     nlp = layout.elements.programme(layout.variables.size, layout.parameters.size, layout.rows.size)
     return Problem(
-        scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation, sweeps
-    )
+        scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation, sweeps,
+        limit_rows, path_rows,
+    )  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -10,16 +11,18 @@ from berthing.errors import InputError
 from berthing.scenario.files import from_document
 from berthing.scenario.normal import document_sha256
 from berthing.scenario.scenario import Scenario
-from berthing.trajectory import Plan
+from berthing.trajectory import Plan, SeparationCostate
 from berthing.trajectory_io import (
     read_interpolant,
     read_nodes,
     read_trajectory,
     read_versioned,
 )
+from berthing.trajectory_io.separation_costates import KEY, read_separations
 from berthing.trajectory_io.strict_json import number, text, whole
 from berthing.verify.agreement import node_faults, table_faults
 from berthing.verify.claims import Claims, read_claims
+from berthing.verify.extremal import checked_extremality
 from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
 from berthing.verify.size_limits import require_modest_scenario
 from berthing.verify.verification import Verification, verify
@@ -40,7 +43,9 @@ def verify_folder(
     """Check the plan in a folder: the trajectory, and that its files agree with each other.
 
     What plan.json itself claims of the plan is not believed. Clearance is what certificate.json
-    proves; without that file nothing is, unless a search finds it anew.
+    proves; without that file nothing is, unless a search finds it anew. Residuals of the conditions
+    of optimality are found anew from nodes.csv and the multipliers in plan.json; they decide
+    nothing.
 
     Args:
         search: prove clearance anew in place of checking certificate.json.
@@ -57,7 +62,12 @@ def verify_folder(
     claims, doubts = (None, []) if search else _claims(Path(folder), own.sha256)
     verification = verify(own.scenario, own.plan, settings=settings, claims=claims)
     tables = table_faults(own.scenario, own.plan, table)
-    return verification.with_reasons([*own.faults, *doubts, *tables, *node_faults(own.plan)])
+    strange = node_faults(own.plan)
+    verification = verification.with_reasons([*own.faults, *doubts, *tables, *strange])
+    # Of nodes that are not the trajectory's nothing follows.
+    if strange or own.faults:
+        return verification
+    return replace(verification, optimality=checked_extremality(own.scenario, own.plan))
 
 
 def _claims(folder: Path, sha256: str) -> tuple[Claims, list[str]]:
@@ -123,6 +133,7 @@ def _read(folder: Path, trust: bool) -> _Folder:
         whole(record, "seed", where),
         _backoff(record, where),
         cost_per_margin=_slope(record, where),
+        separations=_separations(record, scenario, where),
     )
     sha256, said = _sha256(document, where), {INTERPOLANT_JSON: interpolant.scenario_sha256}
     if "scenario_sha256" in record:
@@ -141,6 +152,20 @@ def _slope(record: Mapping[str, Any], where: str) -> float | None:
     """Recorded, not checked."""
     key = "cost_per_margin"
     return None if record.get(key) is None else number(record, key, where)
+
+
+def _separations(
+    record: Mapping[str, Any], scenario: Scenario, where: str
+) -> tuple[SeparationCostate, ...]:
+    """Multipliers are claims like normals: wrong ones only make the conditions worse."""
+    optimality = record.get("optimality")
+    if optimality is None:
+        return ()
+    if not isinstance(optimality, dict):
+        raise InputError(f"{where}.optimality", "is not an object")
+    if KEY not in optimality:
+        return ()
+    return read_separations(optimality, scenario, f"{where}.optimality")
 
 
 def _sha256(document: Mapping[str, Any], where: str) -> str:

@@ -14,7 +14,7 @@ from berthing.geometry.arrays import Array
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.user_model import UserModel
-from berthing.trajectory import PhaseTrajectory, Plan, VehicleNodes
+from berthing.trajectory import PhaseTrajectory, Plan
 from berthing.verify.boundary import EndErrors, end_errors
 from berthing.verify.certificate import Certificate, certify, without_proof
 from berthing.verify.claims import Claims
@@ -24,9 +24,10 @@ from berthing.verify.continuity import (
     gap_faults,
     linkage_faults,
 )
+from berthing.verify.extremal import Extremality
 from berthing.verify.fit import require_fit
 from berthing.verify.limits import Excess, excesses
-from berthing.verify.optimality import hamiltonian, relative_drift
+from berthing.verify.optimality import drift_of
 from berthing.verify.path_constraints import path_excesses
 from berthing.verify.recheck import check_claims
 from berthing.verify.replay import Replay, replay
@@ -52,8 +53,8 @@ class Verification:
             holds; None where there is no pair. The true minimum may lie a little below.
         replay_position_error_m, replay_attitude_error_rad: bounds, over all vehicles and
             instants, on how far the dynamics flown under its controls are from the interpolant.
-        hamiltonian_relative_drift: (max − min)/mean|H| at the nodes, the worst phase; None
-            without costates.
+        hamiltonian_relative_drift: of ``hamiltonian``, (max − min)/mean |H|, the worst phase;
+            None without costates.
         limits_ok: controls, states and quaternion norms stay within their limits between nodes,
             and the user's path constraints hold there.
         model_check: ``independent``: the equations of motion used here are not the solver's;
@@ -62,10 +63,11 @@ class Verification:
         reasons: why not; each names what, where, when and by how much.
         pairs: a verdict for every pair and phase.
         ends: how far start and goal are missed. replays: of each vehicle and phase.
-        hamiltonian: phase, times (k,) and values (k,) at the nodes.
+        hamiltonian: phase, times (k,) and H(t) − ∫ ∂H/∂t dt (k,) at the nodes.
         tube_m: the most that bounds on clearance lose to the replay error: what flies, not the
             interpolant alone, is certified.
         certificates: of each phase, with the evidence.
+        optimality: residuals of its conditions, where a folder was checked that has costates.
     """
 
     clearance_lower_bound_m: float
@@ -87,6 +89,7 @@ class Verification:
     hamiltonian: tuple[tuple[str, Array, Array], ...]
     tube_m: float = 0.0
     certificates: tuple[Certificate, ...] = ()
+    optimality: Extremality | None = None
 
     @property
     def undecided(self) -> bool:
@@ -102,11 +105,25 @@ class Verification:
 
     def to_json(self) -> dict[str, Any]:
         """As plan.json holds it; what is not finite becomes null."""
-        whole = asdict(replace(self, hamiltonian=(), certificates=()))
-        for name in ("hamiltonian", "certificates"):
+        whole = asdict(replace(self, hamiltonian=(), certificates=(), optimality=None))
+        for name in ("hamiltonian", "certificates", "optimality"):
             del whole[name]
         found: dict[str, Any] = _finite(whole)
         return found
+
+
+def with_costates_of(scenario: Scenario, plan: Plan, verification: Verification) -> Verification:
+    """The verification of a plan that has got other costates, and is otherwise the same."""
+    found = [(phase.name, *drift_of(scenario, plan, phase)) for phase in scenario.phases]
+    return replace(
+        verification,
+        hamiltonian=tuple((name, times, values) for name, times, values, _ in found),
+        hamiltonian_relative_drift=_most(drift for *_, drift in found),
+    )
+
+
+def _most(drifts: Iterable[float | None]) -> float | None:
+    return max((drift for drift in drifts if drift is not None), default=None)
 
 
 def verify(
@@ -163,6 +180,7 @@ class _PhaseFindings:
     replays: list[Replay]
     excesses: list[Excess]
     hamiltonian: tuple[str, Array, Array]
+    drift: float | None
 
     @property
     def reasons(self) -> list[str]:
@@ -179,13 +197,14 @@ def _phase_findings(
     scenario: Scenario,
     phase: Phase,
     trajectory: PhaseTrajectory,
-    nodes: Sequence[VehicleNodes],
+    plan: Plan,
     prove: _Prover,
 ) -> _PhaseFindings:
     # Pieces that overlap or leave gaps are no motion: nothing is proven of them.
     sound = not any(gap_faults(own) for own in trajectory.vehicles)
     vehicles = [(phase.vehicle(own.vehicle), own) for own in trajectory.vehicles]
     replays = [replay(vehicle.model, own) for vehicle, own in vehicles] if sound else []
+    times, values, drift = drift_of(scenario, plan, phase)
     return _PhaseFindings(
         prove(scenario, phase, trajectory, replays)
         if sound
@@ -197,15 +216,14 @@ def _phase_findings(
             for vehicle, own in vehicles
             for excess in (*excesses(vehicle, own), *path_excesses(vehicle, own))
         ],
-        (phase.name, *hamiltonian(phase, nodes)),
+        (phase.name, times, values),
+        drift,
     )
 
 
 def _verify(scenario: Scenario, plan: Plan, prove: _Prover, backoff_m: float) -> Verification:
     found = [
-        _phase_findings(
-            scenario, phase, own, [n for n in plan.nodes if n.phase == phase.name], prove
-        )
+        _phase_findings(scenario, phase, own, plan, prove)
         for phase, own in zip(scenario.phases, plan.phases, strict=True)
     ]
     replays = tuple(r for f in found for r in f.replays)
@@ -214,7 +232,6 @@ def _verify(scenario: Scenario, plan: Plan, prove: _Prover, backoff_m: float) ->
         key=lambda least: least[2],
         default=(None, None, None),
     )
-    drifts = [relative_drift(f.hamiltonian[2]) for f in found]
     reasons = (
         *clock_faults(scenario, plan.phases),
         *(fault for p in plan.phases for own in p.vehicles for fault in continuity_faults(own)),
@@ -232,7 +249,7 @@ def _verify(scenario: Scenario, plan: Plan, prove: _Prover, backoff_m: float) ->
         closest_distance_m=closest[2],
         replay_position_error_m=max((r.position_error_m for r in replays), default=math.inf),
         replay_attitude_error_rad=max((r.attitude_error_rad for r in replays), default=math.inf),
-        hamiltonian_relative_drift=max((d for d in drifts if d is not None), default=None),
+        hamiltonian_relative_drift=_most(f.drift for f in found),
         limits_ok=not any(f.excesses for f in found),
         model_check=_model_check(scenario),
         certified=not reasons,
