@@ -12,6 +12,7 @@ from berthing.errors import InputError
 from berthing.flight.flown import with_controls
 from berthing.proximity.formulations import check_planned
 from berthing.refine.begin_with import refine
+from berthing.refine.curvature import second_order
 from berthing.refine.first_answers import WAVES, Coarse, Wave
 from berthing.refine.order import order_check
 from berthing.refine.polish import polish
@@ -28,6 +29,7 @@ from berthing.transcription.problem import Problem
 from berthing.verify.endpoints import check_endpoints
 from berthing.verify.extremal import Extremality, with_best_costates
 from berthing.verify.observed_order import OrderCheck
+from berthing.verify.second_order import SecondOrder
 from berthing.verify.verification import verify, with_costates_of
 
 DEGREE = 4
@@ -107,6 +109,7 @@ class _Work:
     began: float = field(default_factory=time.monotonic)
     order: OrderCheck | None = None
     extremality: Extremality | None = None
+    second_order: SecondOrder | None = None
 
     @property
     def phase(self) -> Phase:
@@ -176,6 +179,8 @@ class _Work:
         if best.plan is not None and best.verification is not None:
             best.plan, self.extremality = with_best_costates(self.scenario, best.plan)
             best.verification = with_costates_of(self.scenario, best.plan, best.verification)
+        if best.answer is not None and best.answer.outcome is best.outcome:
+            self.second_order = second_order(best.answer)
 
     def fly(self, best: Refinement) -> None:
         """In place of the plan the one that flies with the controls asked for, checked anew."""
@@ -208,7 +213,9 @@ class _Work:
         """With what is known of its optimality; piecewise controls are the solver's no more."""
         if self.options.controls != POLYNOMIAL:
             return result
-        return replace(result, extremality=self.extremality, order=self.order)
+        return replace(
+            result, extremality=self.extremality, order=self.order, second_order=self.second_order
+        )
 
     def _failure(self) -> tuple[str, str]:
         """The commonest way in which the attempts failed, and what to try."""

@@ -10,6 +10,7 @@ from berthing.trajectory import Plan
 if TYPE_CHECKING:
     from berthing.verify.extremal import Extremality
     from berthing.verify.observed_order import OrderCheck
+    from berthing.verify.second_order import SecondOrder
     from berthing.verify.verification import Verification
 
 CERTIFIED = "certified"
@@ -81,6 +82,7 @@ class Result:
         extremality: residuals of the conditions of optimality; None where they are not known.
         order: how fast the cost settles on finer meshes; None where nobody asked (by a
             tolerance) or a solve failed.
+        second_order: whether the programme's answer is a minimum; None where that is not known.
     """
 
     outcome: str
@@ -90,3 +92,4 @@ class Result:
     advice: str = ""
     extremality: Extremality | None = None
     order: OrderCheck | None = None
+    second_order: SecondOrder | None = None

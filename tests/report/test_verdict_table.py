@@ -8,11 +8,18 @@ from dataclasses import replace
 import pytest
 
 from berthing.report.margin_loss import cost_lost
-from berthing.report.verdict_table import optimality_rows, plan_rows, verification_rows
+from berthing.report.verdict_table import (
+    CONDITIONS,
+    extremality_rows,
+    optimality_rows,
+    plan_rows,
+    verification_rows,
+)
 from berthing.result import Result
 from berthing.trajectory import PhaseTrajectory
 from berthing.verify.extremal import Extremality
 from berthing.verify.observed_order import OrderCheck, Study
+from berthing.verify.second_order import SecondOrder
 from berthing.verify.verification import verify
 from support import hand_made
 
@@ -78,3 +85,33 @@ def test_the_order_of_the_cost_is_printed_with_where_it_was_seen(shown, words: s
     assert row(rows, "observed order of the cost") == words
     unasked = optimality_rows(replace(result, order=None))
     assert not [r for r in unasked if r.label.startswith(("cost", "observed"))]
+
+
+@pytest.mark.parametrize(
+    ("found", "words", "good"),
+    [
+        (SecondOrder(9, 5, 0, 0, 1e-7, 1e-3),
+         "a minimum: inertia (9, 5, 0), least curvature above 1e-03", True),
+        (SecondOrder(9, 5, 2, 1, 1e-7, None),
+         "NOT shown to be a minimum: inertia (6, 7, 1) in place of (9, 5, 0)", False),
+    ],
+)  # fmt: skip
+def test_the_inertia_is_printed_with_what_it_means(found, words: str, good: bool) -> None:
+    (only,) = [
+        r for r in optimality_rows(Result("certified", None, None, second_order=found))
+        if r.label == "second order"
+    ]  # fmt: skip
+    assert (only.value, only.good) == (words, good)
+    assert found.to_json()["minimum"] is good
+
+
+def test_every_condition_has_its_row() -> None:
+    known = Extremality(1e-3, 2e-4, 3e-5, 4e-6, 5e-7, 6e-8, 0.1)
+    rows = extremality_rows(known)
+    assert row(rows, "Pontryagin extremal") == "to 1e-3.0: worst is stationarity, 0.001 of the cost"
+    said = [row(rows, label) for label in CONDITIONS.values()]
+    assert said == [f"off by {v} of the cost" for v in
+                    ("0.001", "0.0002", "3e-05", "4e-06", "5e-07", "6e-08")]  # fmt: skip
+    bad = extremality_rows(replace(known, adjoint=8.0))
+    assert row(bad, "Pontryagin extremal") == "not: worst is adjoint, 8 of the cost"
+    assert extremality_rows(None) == []

@@ -62,6 +62,7 @@ def optimality_document(result: Result) -> dict[str, Any] | None:
         **result.extremality.to_json(),
         "observed_order": None if result.order is None else result.order.order,
         "order_check": None if result.order is None else result.order.to_json(),
+        "second_order": None if result.second_order is None else result.second_order.to_json(),
         KEY: separations_document(result.plan.separations),
     }
 

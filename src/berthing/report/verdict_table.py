@@ -12,6 +12,7 @@ from berthing.scenario.scenario import Scenario
 from berthing.trajectory import Plan
 from berthing.verify.extremal import Extremality
 from berthing.verify.observed_order import OrderCheck
+from berthing.verify.second_order import SecondOrder
 from berthing.verify.verdict import CERTIFIED as PAIR_CERTIFIED
 from berthing.verify.verdict import EXEMPT
 from berthing.verify.verification import Verification
@@ -103,6 +104,9 @@ def plan_rows(plan: Plan, verification: Verification) -> list[Row]:
 def optimality_rows(result: Result) -> list[Row]:
     """How nearly the plan meets the conditions of optimality; none where nothing is known."""
     rows = extremality_rows(result.extremality)
+    if result.second_order is not None:
+        found, key = result.second_order, "optimality.second_order"
+        rows.append(Row("second order", _curvature(found), found.minimum, (key,)))
     if result.order is not None:
         wide, narrow = result.order.own.moves
         keys = ("optimality.order_check", "optimality.observed_order")
@@ -136,6 +140,15 @@ def extremality_rows(found: Extremality | None) -> list[Row]:
         for key, label in CONDITIONS.items()
     ]
     return [Row("Pontryagin extremal", worst, None, ("optimality.worst",)), *rows]
+
+
+def _curvature(found: SecondOrder) -> str:
+    """The inertia of the KKT matrix, as its least favourable reading."""
+    n, m = found.variables, found.rows
+    inertia = f"inertia ({n - found.negative - found.flat}, {m + found.negative}, {found.flat})"
+    if found.minimum:
+        return f"a minimum: {inertia}, least curvature above {found.least:.0e}"
+    return f"NOT shown to be a minimum: {inertia} in place of ({n}, {m}, 0)"
 
 
 def _order(found: OrderCheck) -> str:
