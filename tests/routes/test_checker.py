@@ -181,8 +181,6 @@ def test_what_else_is_refused():
     checker, home = Checker(tight()), [0, 0, 0, 1, 0, 0, 0]
     with pytest.raises(InputError, match="batch"):
         checker.clearance([home, home])
-    with pytest.raises(InputError, match="batch"):
-        checker.motion([home, home], home)
     with pytest.raises(InputError, match="time_s"):
         Checker(tight(), time_s=np.nan)
     with pytest.raises(InputError, match="a mapping"):

@@ -5,8 +5,8 @@ import berthing as bt
 from berthing.errors import InputError
 from berthing.geometry import quaternion
 from berthing.routes.checker import Checker
-from berthing.routes.legs import certify_legs
-from berthing.routes.space import between
+from berthing.routes.legs import LegProver, certify_legs
+from berthing.routes.space import between, moved
 from berthing.verify.leg_motion import LegMotion
 from support import hand_made
 
@@ -41,6 +41,32 @@ def test_turning_in_the_mouth_is_refused(tight):
     assert "spacecraft.hull" in found.faults[0]
     assert "leg 0." in found.faults[0]
     assert all(0.0 < t < 1.0 for t in found.trouble)
+
+
+def test_many_motions_are_judged_as_each_by_itself(tight):
+    rng = np.random.default_rng(7)
+    low, high = np.array([-3.0, -6.0, -6.0]), np.array([16.0, 6.0, 6.0])
+    drawn = np.array([tight.space.sample(rng, low, high) for _ in range(40)])
+    free = drawn[tight.valid_states(drawn)]
+    ends = moved(free, 0.3 * rng.normal(size=(len(free), 1, 6)))
+    together = tight.motion(free[:, 0], ends[:, 0])
+    prover = LegProver(tight.scenario, tight.phase)
+    verdicts = [
+        (tight.motion(a[0], b[0]).certified, prover.clear(a, b))
+        for a, b in zip(free, ends, strict=True)
+    ]
+    assert verdicts == [(bool(good), bool(good)) for good in together.excess_m >= 0.0]
+    assert 0 < np.sum(together.excess_m >= 0.0) < len(free)
+    from_one = tight.motion(START, ends[:, 0])
+    assert len(from_one.bound_m) == len(ends)
+
+
+def test_batches_that_do_not_fit_are_refused(tight):
+    home = np.array(START)
+    for one, other in ((np.tile(home, (2, 1)), np.tile(home, (3, 1))),
+                       (np.tile(home, (2, 2, 1)), home), (np.empty((0, 7)), home)):  # fmt: skip
+        with pytest.raises(InputError, match=r"Checker\.motion"):
+            tight.motion(one, other)
 
 
 def test_a_wall_between_two_samples_is_seen():
@@ -101,14 +127,15 @@ def test_what_moves_is_refused():
     whole = bt.load("spinning-structure")
     states = np.tile([0.0, 8.0, 0.0, 1.0, 0.0, 0.0, 0.0], (2, 1, 1))
     with pytest.raises(InputError, match="truss: moves"):
-        certify_legs(whole, whole.phases[0], states)
+        certify_legs(whole, whole.phases[0], states[:1], states[1:])
 
 
 def test_the_frame_of_a_leg_is_that_of_its_states():
     rng = np.random.default_rng(4)
     q = quaternion.normalise(rng.normal(size=(6, 4)))
     r = rng.normal(size=(6, 3))
-    motion = LegMotion(r, q)
+    states = np.concatenate([r, q], axis=1)
+    motion = LegMotion(states[:-1], states[1:])
     for side in (0, 1):
         cells = np.arange(5)
         jet = motion.jet(cells + float(side), cells)

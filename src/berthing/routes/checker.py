@@ -144,26 +144,38 @@ class Checker:
         )
 
     def motion(self, start: Poses, end: Poses) -> Legs:
-        """What is proven of the straight motion between two poses of each vehicle.
+        """What is proven of the straight motion between two poses of each vehicle, or of many.
 
         Reference points move straight on while attitudes turn the shorter way at a constant rate,
         all in step: the motion of SE(3) that most planners take. It is certified as a plan is, for
-        every instant of it and not for samples.
+        every instant of it and not for samples. Many at once, batches (n,) of poses, take a tenth
+        of the time each.
 
         Raises:
-            InputError: as ``valid``; a batch, a checker of one instant, or half a turn.
+            InputError: as ``valid``; batches of more than one axis, a checker of one instant, or
+                half a turn.
         """
-        states = [self.states(poses) for poses in (start, end)]
-        if states[0].ndim != 2 or states[1].ndim != 2:
-            raise InputError("Checker.motion", "was given a batch of poses", "one of each")
-        return self.legs(np.stack(states))
+        one, other = (self.states(poses) for poses in (start, end))
+        if max(one.ndim, other.ndim) > 3 or 0 in (*one.shape, *other.shape):
+            found = f"was given batches {one.shape[:-2]} and {other.shape[:-2]}"
+            raise InputError("Checker.motion", found, "(n,) or one of each")
+        try:
+            one, other = np.broadcast_arrays(one, other)
+        except ValueError:
+            found = f"was given batches {one.shape[:-2]} and {other.shape[:-2]}"
+            raise InputError("Checker.motion", found, "batches of one length") from None
+        shape = (-1, len(self.vehicles), 7)
+        return self._certified(one.reshape(shape), other.reshape(shape))
 
     def legs(self, states: Array) -> Legs:
-        """What is proven of the legs between states (n + 1, V, 7); errors as ``motion``."""
+        """What is proven of the legs between states (n + 1, V, 7), n ≥ 1; errors as ``motion``."""
+        return self._certified(states[:-1], states[1:])
+
+    def _certified(self, starts: Array, ends: Array) -> Legs:
         if self.time_s is not None:
             what = f"is asked of a motion, but knows the time {self.time_s:g} s only"
             raise InputError("Checker", what, "a checker without time_s")
-        return certify_legs(self.scenario, self.phase, states)
+        return certify_legs(self.scenario, self.phase, starts, ends)
 
     def states(self, poses: Poses) -> Array:
         """The poses as states (..., V, 7) of ``routes.space``; errors as ``valid``."""

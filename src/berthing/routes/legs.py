@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,9 +13,15 @@ from berthing.scenario.motion import Fixed
 from berthing.scenario.pair import Pair
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
+from berthing.scenario.vehicle import Vehicle
+from berthing.verify.bisection import Bisection
+from berthing.verify.bounds import Bounds
 from berthing.verify.certificate import Certificate, certify_motions
-from berthing.verify.grouping import Motions
+from berthing.verify.grouping import Motions, by_bodies, parts_of
+from berthing.verify.leaves import Intervals, Status
 from berthing.verify.leg_motion import LegMotion
+from berthing.verify.pair_motion import BodyPair
+from berthing.verify.part_pair import PartPair
 from berthing.verify.settings import DEFAULT_CERTIFICATE, CertificateSettings
 from berthing.verify.verdict import CERTIFIED, EXEMPT
 
@@ -26,7 +32,7 @@ WIDEST_TURN = 3.14
 
 @dataclass(frozen=True)
 class Legs:
-    """What is proven of the n legs between n + 1 states.
+    """What is proven of n legs.
 
     Attributes:
         bound_m: below the clearance of every pair at every instant of the leg (n,).
@@ -76,10 +82,11 @@ def require_rest(scenario: Scenario) -> None:
 def certify_legs(
     scenario: Scenario,
     phase: Phase,
-    states: Array,
+    starts: Array,
+    ends: Array,
     settings: CertificateSettings = DEFAULT_CERTIFICATE,
 ) -> Legs:
-    """Prove the clearance of every pair along the legs between states (n + 1, V, 7), n ≥ 1.
+    """Prove the clearance of every pair along the legs between states (n, V, 7), n ≥ 1.
 
     On a leg each vehicle's reference point moves straight, and its attitude turns at a constant
     rate about a fixed axis, the shorter way, all in step.
@@ -89,17 +96,59 @@ def certify_legs(
         CapabilityError: a shape that the certificate does not know.
     """
     require_rest(scenario)
-    legs = len(states) - 1
-    paths = {
-        own.name: LegMotion(states[:, i, :3], states[:, i, 3:])
-        for i, own in enumerate(phase.vehicles)
-    }
+    legs = len(starts)
+    paths = leg_motions(phase.vehicles, starts, ends)
     _check_turns(paths)
     margins = {pair.name: margin for pair, margin in strictest(scenario, phase).items()}
     span = (0.0, float(legs))
     windows = {p.name: [(*span, margins.get(p.name))] for p in scenario.pairs(phase)}
     motions = Motions(span, lambda own: paths[own.name])
     return _read(certify_motions(scenario, phase, motions, windows, settings), legs)
+
+
+class LegProver:
+    """Yes or no, for planners that ask of thousands of motions.
+
+    The search of the certificate without its record: no bounds of legs, no closest instant, and
+    what rests is made ready once.
+
+    Args:
+        scenario: at rest.
+        phase: of it.
+    """
+
+    def __init__(self, scenario: Scenario, phase: Phase) -> None:
+        margins = strictest(scenario, phase)
+        self._vehicles = phase.vehicles
+        windows = {pair.name: [(0.0, 1.0, margin)] for pair, margin in margins.items()}
+        self._groups = [
+            (group[0], [*map(parts_of, group)], np.array([margins[pair] for pair in group]))
+            for group in by_bodies(list(margins), windows)
+        ]
+
+    def clear(self, start: Array, end: Array) -> bool:
+        """Whether the leg between two states (V, 7) is certified, and less than half a turn."""
+        paths = leg_motions(self._vehicles, start[None], end[None])
+        if any(np.any(path.ceilings.rate > WIDEST_TURN) for path in paths.values()):
+            return False
+        motions = Motions((0.0, 1.0), lambda own: paths[own.name])
+        return all(
+            self._proven(motions.bodies(first), parts, own) for first, parts, own in self._groups
+        )
+
+    @staticmethod
+    def _proven(bodies: BodyPair, parts: list[PartPair], margins: Array) -> bool:
+        exact = [0.0] * len(parts)
+        bounds = Bounds(bodies, parts, exact, DEFAULT_CERTIFICATE)
+        zeros = np.zeros(len(parts))
+        roots = Intervals.unasked(np.arange(len(parts)), zeros, zeros + 1.0, margins)
+        leaves, _ = Bisection(bounds, exact, DEFAULT_CERTIFICATE).run(roots)
+        return bool(np.all(leaves.status == int(Status.CERTIFIED)))
+
+
+def leg_motions(vehicles: Sequence[Vehicle], starts: Array, ends: Array) -> dict[str, LegMotion]:
+    """By vehicle."""
+    return {own.name: LegMotion(starts[:, i], ends[:, i]) for i, own in enumerate(vehicles)}
 
 
 def _check_turns(paths: Mapping[str, LegMotion]) -> None:

@@ -15,30 +15,30 @@ class LegMotion:
 
     The attitude turns from that of one state to that of the next by the shorter way, at a constant
     rate, while the reference point moves straight on: linear and slerp. Leg i lasts from i to
-    i + 1, so that the time since its start is exact in floating point.
+    i + 1, so that the time since its start is exact in floating point; it need not begin where the
+    one before ends.
 
     Args:
-        positions_m: of the states (n + 1, 3), n ≥ 1.
-        q_IB: their attitudes (n + 1, 4), unit quaternions, scalar first.
+        starts, ends: states (n, 7), n ≥ 1: position in m and unit quaternion q_IB, scalar first.
     """
 
-    def __init__(self, positions_m: Array, q_IB: Array) -> None:
-        self._r, self._R = positions_m, quaternion.rotation_matrix(q_IB)
-        self._v = np.diff(positions_m, axis=0)
+    def __init__(self, starts: Array, ends: Array) -> None:
+        self._r, self._R = starts[:, :3], quaternion.rotation_matrix(starts[:, 3:])
+        self._v = ends[:, :3] - self._r
         # Turned from q₀ to q₁ in inertial axes: q₁ = exp(ω) q₀.
-        turned = quaternion.multiply(q_IB[1:], quaternion.conjugate(q_IB[:-1]))
+        turned = quaternion.multiply(ends[:, 3:], quaternion.conjugate(starts[:, 3:]))
         self._w = quaternion.rotation_vector(turned)
         self._rate = norm(self._w)
         still = self._rate == 0.0
         self._axis = self._w / np.where(still, 1.0, self._rate)[:, None]
-        self.edges_s = np.arange(len(positions_m), dtype=np.float64)
+        self.edges_s = np.arange(len(starts) + 1, dtype=np.float64)
         self.turns = not bool(np.all(still))
         self.rests = not self.turns and not np.any(self._v)
 
     @property
     def ceilings(self) -> Ceilings:
         zero = np.zeros(len(self._rate))
-        reach = np.maximum(norm(self._r[:-1]), norm(self._r[1:]))
+        reach = norm(self._r) + norm(self._v)
         # Sine and cosine of the angle turned err by its rounding.
         return Ceilings(zero, zero, self._rate, zero, zero, (1.0 + self._rate) * reach)
 
