@@ -29,8 +29,9 @@ def make(family: str, seed: int, rng: np.random.Generator) -> Case:
     crafts = [craft(rng, own, SIMPLE) for own in size]
     hole = np.max(size[:, 1:], axis=0) + 2.0 * (margin + spare)
     thick = float(rng.uniform(0.2, 1.0))
-    # Lanes beside the opening, opposite ones for the two, far enough apart for any attitude.
-    lane = 0.5 * sum(c.radius for c in crafts) + 0.5 * margin + 0.1
+    # Lanes beside the opening, on opposite sides: who waits in one leaves room in front of the
+    # opening and in the other lane, at any attitude.
+    lane = sum(c.radius for c in crafts) + margin + 0.1
     one = _passage(rng, crafts[0], (-1.0, lane), thick, margin, crafts[1].radius)
     other = _passage(rng, crafts[1], (1.0, -lane), thick, margin, crafts[0].radius)
     took = [sum(leg.duration_s for leg in legs) for legs in (one, other)]

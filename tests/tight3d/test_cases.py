@@ -18,7 +18,12 @@ from berthing.verify.verification import verify
 RECORDED = {(row["family"], row["seed"]): row for row in json.loads(WITNESSES.read_text())}
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+SLOW = {"clutter": pytest.mark.slow}
+
+
+@pytest.mark.parametrize(
+    "family", [pytest.param(name, marks=SLOW.get(name, ())) for name in FAMILIES]
+)
 def test_witness_is_certified_and_as_recorded(family):
     row = proven(made(family, 0))
     recorded = RECORDED[family, 0]
@@ -29,16 +34,14 @@ def test_witness_is_certified_and_as_recorded(family):
 
 @pytest.mark.parametrize("family", [name for name in FAMILIES if name != "clutter"])
 def test_cases_are_the_same_every_time(family):
-    for seed in (1, 20):
+    for seed in (1, 57):
         case = made(family, seed)
         assert document_sha256(case.document) == RECORDED[family, seed]["sha256"]
         assert case.document != made(family, seed + 1).document
 
 
-def test_every_recorded_case_is_proven():
-    seeds = range(len(RECORDED) // len(FAMILIES))
-    assert len(seeds) >= 20
-    assert set(RECORDED) == {(family, seed) for family in FAMILIES for seed in seeds}
+def test_every_case_has_a_recorded_proof():
+    assert set(RECORDED) == {(family, seed) for family in FAMILIES for seed in range(100)}
     assert all(row["certified"] for row in RECORDED.values())
     assert len({row["sha256"] for row in RECORDED.values()}) == len(RECORDED)
 

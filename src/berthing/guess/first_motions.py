@@ -2,23 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from berthing.errors import InputError
+from berthing.guess.blocked import is_blocked, is_detour
 from berthing.guess.candidates import RANDOM_GUESSES, candidates
 from berthing.guess.continuation import Continuation
-from berthing.guess.path import motion_along
+from berthing.guess.path import Guess, motion_along
+from berthing.guess.routed import routed
 from berthing.transcription.problem import Motion
+
+DRAWN_A_ROUTE = 2
+"""Random guesses to one route, where simple guesses are blocked."""
 
 FirstMotions = list[tuple[str, Motion]]
 """Names and motions, in the order in which they are worth trying."""
 
 
 def _candidates(whole: Continuation, seed: int, drawn: int) -> FirstMotions:
+    guesses = candidates(whole.scenario, whole.phase, seed, drawn)
+    simple = _along(whole, guesses)
+    pairs = whole.scenario.pairs(whole.phase)
+    if any(
+        not is_detour(guess) and not is_blocked(pairs, whole.mesh, motion)
+        for guess, (_, motion) in zip(guesses, simple, strict=True)
+    ):
+        return simple
+    routes = routed(
+        whole.scenario, whole.phase, seed, max(drawn // DRAWN_A_ROUTE, 1), whole.budget.wall_time_s
+    )
+    return _along(whole, routes) + simple
+
+
+def _along(whole: Continuation, guesses: Iterable[Guess]) -> FirstMotions:
     duration_s = whole.phase.horizon.nominal_s
     return [
-        (guess.name, motion_along(guess, whole.phase, whole.mesh, duration_s))
-        for guess in candidates(whole.scenario, whole.phase, seed, drawn)
+        (guess.name, motion_along(guess, whole.phase, whole.mesh, duration_s)) for guess in guesses
     ]
 
 

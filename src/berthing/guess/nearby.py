@@ -62,12 +62,13 @@ def _centre(
     """The middle of a part's ball at the times (k, d), worked out once a motion."""
     if ref not in centres:
         if owner.name not in owners:
-            owners[owner.name] = _pose(owner, motion.states, times)
+            owners[owner.name] = pose_of(owner, motion.states, times)
         centres[ref] = owners[owner.name].apply(part.placement.position)
     return centres[ref]
 
 
-def _pose(owner: Vehicle | Structure, states: Mapping[str, Array], times: Array) -> Pose:
+def pose_of(owner: Vehicle | Structure, states: Mapping[str, Array], times: Array) -> Pose:
+    """Of a body at the times (k,): a vehicle's from the states (nx, k) of a guess, by name."""
     if isinstance(owner, Structure):
         return owner.motion.pose(times)
     return owner.model.pose(states[owner.name].T)
