@@ -1,14 +1,16 @@
-"""``python -m benchmarks distance [--json FILE] [--only brackets|answers|speed] [--poses N]``.
+"""``python -m benchmarks distance [--json FILE] [--only PART …] [--missing] [--poses N]``.
 
-Distances of all pairs of sets: proven brackets, independent answers, gradients, and time a pose
-along the public pose law beside a bare loop over the collision library. The processor's time, so
-that other work on the machine counts little; about ten minutes in full.
+Distances of all pairs of sets: proven brackets, contacts of all kinds, independent answers,
+gradients, and time a pose along the public pose law beside a bare loop over the collision library.
+The processor's time, so that other work on the machine counts little; about twenty minutes in full.
+The file is written after each part, and ``--missing`` goes on with those that it lacks.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -19,32 +21,42 @@ from benchmarks._distance_checks import (
     brackets,
     gradients,
 )
+from benchmarks._distance_contacts import contacts, touching
 from benchmarks._distance_speed import speed
+
+# Each by its name on the command line: its heading, and what measures it, given poses and repeats.
+PARTS: dict[str, tuple[str, Callable[[int, int], dict[str, Any]]]] = {
+    "brackets": ("brackets", lambda n, _: brackets(n)),
+    "contacts": ("contacts known by hand", lambda n, _: contacts()),
+    "touching": ("touching, and about one centre", lambda n, _: touching(n // 10)),
+    "conic": ("against a conic solver (Clarabel)", lambda n, _: against_conic(n // 100)),
+    "nlp": ("against an NLP solver (SLSQP)", lambda n, _: against_nlp(n // 100)),
+    "hulls": ("depths against hulls (Qhull)", lambda n, _: against_hulls(n // 1000)),
+    "gradients": ("gradients against differences", lambda n, _: gradients(n // 100)),
+    "speed": ("speed", lambda n, repeats: speed(max(n // 10, 100), repeats)),
+}
 
 
 def main(arguments: list[str]) -> int:
     """Measure, print, and write JSON, keeping the parts of the file that were not measured."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks distance")
     parser.add_argument("--json", type=Path)
-    parser.add_argument("--only", choices=("brackets", "answers", "speed"))
+    parser.add_argument("--only", choices=PARTS, nargs="+", default=list(PARTS))
+    parser.add_argument("--missing", action="store_true")
     parser.add_argument("--poses", type=int, default=1_000_000)
     parser.add_argument("--repeats", type=int, default=3)
     given = parser.parse_args(arguments)
     kept = json.loads(given.json.read_text()) if given.json and given.json.exists() else {}
-    found: dict[str, Any] = dict(kept)
-    if given.only in (None, "brackets"):
-        found["brackets"] = brackets(given.poses)
-    if given.only in (None, "answers"):
-        found["against a conic solver (Clarabel)"] = against_conic(given.poses // 100)
-        found["against an NLP solver (SLSQP)"] = against_nlp(given.poses // 1000)
-        found["depths against hulls (Qhull)"] = against_hulls(given.poses // 1000)
-        found["gradients against differences"] = gradients(given.poses // 100)
-    if given.only in (None, "speed"):
-        found["speed"] = speed(max(given.poses // 10, 100), given.repeats)
-    print(json.dumps(found, indent=1, ensure_ascii=False))
-    if given.json:
-        given.json.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
-        given.json.with_suffix(".md").write_text(_table(found))
+    for part in given.only:
+        heading, measure = PARTS[part]
+        if given.missing and heading in kept:
+            continue
+        kept[heading] = measure(given.poses, given.repeats)
+        print(json.dumps({heading: kept[heading]}, indent=1, ensure_ascii=False), flush=True)
+        found = {name: kept[name] for name, _ in PARTS.values() if name in kept}
+        if given.json:
+            given.json.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
+            given.json.with_suffix(".md").write_text(_table(found))
     return 0
 
 

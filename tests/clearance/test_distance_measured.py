@@ -17,10 +17,10 @@ USUAL_BRACKET, WIDEST_BRACKET, DEPTH, ANSWER = 1e-8, 1e-7, 1e-5, 1e-7
 
 @pytest.mark.slow
 def test_distances_are_as_claimed(tmp_path: Path) -> None:
-    for part in ("brackets", "answers"):
-        command = [sys.executable, "-m", "benchmarks", "distance", "--only", part]
-        command += ["--poses", str(POSES), "--json", str(tmp_path / "found.json")]
-        subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+    parts = ["brackets", "contacts", "touching", "conic", "nlp", "hulls", "gradients"]
+    command = [sys.executable, "-m", "benchmarks", "distance", "--only", *parts]
+    command += ["--poses", str(POSES), "--json", str(tmp_path / "found.json")]
+    subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
     found = json.loads((tmp_path / "found.json").read_text())
     brackets = found["brackets"]
     assert brackets["poses"] >= POSES
@@ -30,6 +30,11 @@ def test_distances_are_as_claimed(tmp_path: Path) -> None:
     assert brackets["apart_99.9_percent_m"] <= USUAL_BRACKET
     assert brackets["apart_widest_m"] <= WIDEST_BRACKET
     assert brackets["overlapping_widest_m"] <= DEPTH
+    for part in ("contacts known by hand", "touching, and about one centre"):
+        assert found[part]["apart_widest_m"] <= WIDEST_BRACKET
+        assert found[part]["touching_or_overlapping_widest_m"] <= DEPTH
+    assert found["contacts known by hand"]["largest_error_m"] <= ANSWER
+    assert found["touching, and about one centre"]["not_finite"] == 0
     for solver in ("a conic solver (Clarabel)", "an NLP solver (SLSQP)"):
         assert found[f"against {solver}"]["poses"] > 50
         assert found[f"against {solver}"]["largest_difference_m"] <= ANSWER
