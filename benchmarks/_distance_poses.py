@@ -38,7 +38,9 @@ def random_poses(
     return Pose(at_a, turned[0]), Pose(at_b, turned[1])
 
 
-def differences(a: ConvexSet, pose_a: Pose, b: ConvexSet, pose_b: Pose) -> tuple[Array, Array]:
+def differences(
+    a: ConvexSet, pose_a: Pose, b: ConvexSet, pose_b: Pose, step: float = STEP
+) -> tuple[Array, Array]:
     """Gradients by the pose of A and of B (k, 12) or (k, 6), by central differences, and where the
     one-sided slopes differ (k,): kinks, where the gradient is but one of many."""
     count = 6 if a.dim == 3 else 3
@@ -47,13 +49,13 @@ def differences(a: ConvexSet, pose_a: Pose, b: ConvexSet, pose_b: Pose) -> tuple
     for i in range(2 * count):
         near = []
         for times in (-2.0, -1.0, 1.0, 2.0):
-            first = moved(pose_a, i, times * STEP) if i < count else pose_a
-            second = moved(pose_b, i - count, times * STEP) if i >= count else pose_b
+            first = moved(pose_a, i, times * step) if i < count else pose_a
+            second = moved(pose_b, i - count, times * step) if i >= count else pose_b
             near.append(distance(a, b, (first, second)).distance)
-        columns.append((8.0 * (near[2] - near[1]) - (near[3] - near[0])) / (12.0 * STEP))
+        columns.append((8.0 * (near[2] - near[1]) - (near[3] - near[0])) / (12.0 * step))
         before = 2.0 * (at - near[1]) - 0.5 * (at - near[0])
         after = 2.0 * (near[2] - at) - 0.5 * (near[3] - at)
-        kinks.append(np.abs(after - before) / STEP)
+        kinks.append(np.abs(after - before) / step)
     return np.stack(columns, axis=-1), np.max(kinks, axis=0)
 
 

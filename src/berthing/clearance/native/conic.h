@@ -243,22 +243,18 @@ static double proven_least(const Conic *c, const double *cost, Iterate *v)
     return -inner(v->y, c->h, c->rows) - sqrt(inner(v->dual, v->dual, c->size)) * c->reach;
 }
 
-static Support conic_point(const double *d, int dim, V n)
+static Iterate interior(const Conic *c, const double *cost)
 {
-    Conic c = conic_from(d);
     Newton work;
     Iterate v, best;
-    double cost[MOST_COLUMNS] = {-n.x, -n.y, dim == 3 ? -n.z : 0.0};
-    first_iterate(&c, cost, &work, &v);
+    first_iterate(c, cost, &work, &v);
     best = v;
     for (int i = 0; i < MOST_ITERATIONS; i++) {
-        if (!(v.worst > CONIC_TOLERANCE) || !inside(&c, v.s) || !inside(&c, v.y)) break;
-        advance(&c, cost, &work, &v);
+        if (!(v.worst > CONIC_TOLERANCE) || !inside(c, v.s) || !inside(c, v.y)) break;
+        advance(c, cost, &work, &v);
         if (v.worst < best.worst) best = v;
         else if (best.worst <= CONIC_ENOUGH) break;
     }
-    double least = proven_least(&c, cost, &best);
-    V p = vec(c.unit * best.z[0], c.unit * best.z[1], dim == 3 ? c.unit * best.z[2] : 0.0);
-    return (Support){p, larger(-c.unit * least - dot(n, p), 0.0)};
+    return best;
 }
 #endif

@@ -1,7 +1,7 @@
 /* Support points of every core. */
 #ifndef SUPPORT_H
 #define SUPPORT_H
-#include "conic.h"
+#include "conic_polish.h"
 #include "smooth.h"
 
 enum { MOST_ROWS = 256 };
@@ -45,8 +45,8 @@ static Support log_sum_exp_point(const Shape *s, V n, Memory *memory, double eno
     return found;
 }
 
-/* Of support points, in terms of the size: rounding, or what the interior-point method leaves. */
-static inline double noise_of(const Shape *s) { return s->kind == CONIC ? 1e-11 : 1e-15; }
+/* Of support points, in terms of the size: rounding. */
+static inline double noise_of(const Shape *s) { return s->kind == CONIC ? 1e-14 : 1e-15; }
 
 /* Along the unit vector n, in the set's own frame; a search may stop at a slack that is enough. */
 static Support support(const Shape *s, V n, Memory *memory, double enough)
