@@ -5,7 +5,8 @@
    sets cannot part by less. Each normal bounds it from above, as planes do.
 
    Where B - A is another set and all within `round` of it, the hull is that of the other set, and
-   every face is that much farther out: a ball is one point, and what is nearly round takes few. */
+   every face is that much farther out, provided that the origin is in the hull: what is nearly round
+   takes few points. */
 #ifndef EXPANDING_H
 #define EXPANDING_H
 #include "face_heap.h"
@@ -176,22 +177,20 @@ static double sort_out(Hull *h, const int *faces, int n, double enough, double p
     return passed;
 }
 
-/* From a normal whose bound is known; ends where no other normal can be better by more than the
-   tolerance, or where points run out: `upper` says how much is left open. */
-static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
+/* With the hull that of the set peeled by `round`; `sound` tells whether the origin is in that hull.
+   If not, its faces prove nothing: what is peeled is too much. */
+static Depth expand_peeled(Pair *pair, Hull *h, Depth found, double tolerance, double round, int *sound)
 {
     static const int first[4] = {0, 1, 2, 3};
     double bound, passed = -INFINITY;
     V flat;
-    h->round = roundness(&pair->a) + roundness(&pair->b);
-    int dimensions = first_points(pair, h, &flat);
-    if (dimensions < 3 && h->round > 0.0) {
-        h->round = 0.0;
-        dimensions = first_points(pair, h, &flat);
-    }
-    if (dimensions < 3) {
+    h->round = round;
+    *sound = 0;
+    if (first_points(pair, h, &flat) < 3) {
         lowest(pair, flat, &bound);
-        return bound > found.lower ? (Depth){bound, larger(bound, 0.0), flat} : found;
+        *sound = round == 0.0;
+        if (!*sound || bound <= found.lower) return found;
+        return (Depth){bound, larger(bound, 0.0), flat};
     }
     if (!first_hull(h)) return found;
     pair->slack = 0.1 * tolerance;
@@ -199,7 +198,8 @@ static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
     for (;;) {
         int f = h->waiting ? h->heap[0] : -1;
         double depth = larger(passed, f < 0 ? -INFINITY : depth_of(h, f));
-        if (depth <= 0.0) found.upper = fmin(found.upper, depth);
+        *sound = depth <= -round;
+        if (*sound) found.upper = fmin(found.upper, depth);
         if (f < 0 || found.lower >= depth_of(h, f) - tolerance) break;
         V n = mul(-1.0, h->f[f].m);
         const Vertex *near = &h->p[h->f[f].v[0]];
@@ -215,5 +215,22 @@ static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
     }
     pair->slack = 0.0;
     return found;
+}
+
+/* From a normal whose bound is known; ends where no other normal can be better by more than the
+   tolerance, or where points run out: `upper` says how much is left open. What is peeled is less than
+   the depth, or the origin would be left outside. */
+static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
+{
+    double most = roundness(&pair->a) + roundness(&pair->b);
+    for (double part = 0.8; part > 0.1 && most > 0.0; part -= 0.4) {
+        double round = fmin(most, isfinite(found.lower) ? -part * found.lower : most);
+        if (round <= 10.0 * tolerance) break;
+        int sound;
+        found = expand_peeled(pair, h, found, tolerance, round, &sound);
+        if (sound) return found;
+    }
+    int sound;
+    return expand_peeled(pair, h, found, tolerance, 0.0, &sound);
 }
 #endif
