@@ -11,15 +11,19 @@ from benchmarks._distance_poses import differences, random_poses
 import berthing as bt
 from berthing.clearance import kernel as kernel_module
 from berthing.clearance import set_numbers as set_numbers_module
+from berthing.clearance.plane import plane_bound
 from berthing.clearance.set_numbers import set_numbers
+from berthing.clearance.support_search import best_normal
 from berthing.errors import CapabilityError, InputError
 from berthing.geometry import quaternion
 from berthing.geometry.capsule import Capsule
 from berthing.geometry.cone import Cone
 from berthing.geometry.half_space import HalfSpace
 from berthing.geometry.intersection import Intersection
+from berthing.geometry.offset import Offset
 from berthing.geometry.smoothed_polytope import SmoothedPolytope
 from berthing.geometry.superellipsoid import Superellipsoid
+from berthing.geometry.truncated_cone import TruncatedCone
 from support.distances import BRACKET, DEPTH, GRADIENT, faults
 from support.shapes import SHAPES
 
@@ -215,11 +219,53 @@ def test_bad_sets() -> None:
     wall = HalfSpace([0, 0, 1], 0.0)
     with pytest.raises(CapabilityError, match="half-spaces"):
         bt.distance(wall, wall, [0, 0, 0, *STRAIGHT])
-    for flat in (lambda: bt.Box([1.0, 0.0, 1.0]), lambda: Capsule(0.0, 1.0),
-                 lambda: Superellipsoid([1.0, 0.0, 1.0], [2, 2, 2]),
-                 lambda: SmoothedPolytope.inner(bt.Box([0.1, 0.1, 0.1]), 8.0)):  # fmt: skip
-        with pytest.raises(InputError):
-            flat()
+
+
+@pytest.mark.parametrize(
+    ("build", "words"),
+    [
+        (lambda: bt.Box([1.0, 0.0, 1.0]), "half_extents"),
+        (lambda: bt.Box([1.0, np.nan, 1.0]), "half_extents"),
+        (lambda: bt.Sphere(-1.0), "radius"),
+        (lambda: bt.Ellipsoid([1.0, 0.0, 1.0]), "semi_axes"),
+        (lambda: bt.Cylinder(0.0, 1.0), "radius"),
+        (lambda: bt.Cylinder(1.0, 0.0), "half_length"),
+        (lambda: Capsule(0.0, 1.0), "radius"),
+        (lambda: Cone(1.0, 0.0), "half_length"),
+        (lambda: TruncatedCone(1.0, 0.0, 0.0), "top_radius"),
+        (lambda: Offset(CUBE, 0.0), "radius"),
+        (lambda: HalfSpace([0.0, 0.0, 0.0], 0.0), "normal"),
+        (lambda: bt.Polytope.from_vertices([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]), "flat"),
+        (lambda: Intersection([CUBE, HalfSpace([1.0, 0.0, 0.0], -1.0)]), "flat"),
+        (lambda: Superellipsoid([1.0, 0.0, 1.0], [2, 2, 2]), "semi_axes"),
+        (lambda: SmoothedPolytope.inner(bt.Box([0.1, 0.1, 0.1]), 8.0), "empty"),
+        (lambda: bt.Pose(np.array([np.nan, 0.0, 0.0]), np.eye(3)), "NaN"),
+        (lambda: bt.Pose(np.zeros(3), 2.0 * np.eye(3)), "orthonormal"),
+        (lambda: bt.Pose(np.zeros(3), np.diag([1.0, 1.0, -1.0])), "mirrors"),
+        (lambda: bt.Pose.from_quaternion(np.zeros(3), np.zeros(4)), "zero"),
+    ],
+)
+def test_sets_of_no_size_and_poses_that_are_none(build, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        build()
+
+
+def test_depths_of_ellipsoids_are_bracketed_where_they_hardly_overlap() -> None:
+    """There the hull of what is left of them when balls are peeled off misses the origin."""
+    a, b = bt.Ellipsoid([1.0, 0.8, 0.7]), bt.Ellipsoid([3.0, 0.4, 0.3])
+    pose_a, pose_b = random_poses(np.random.default_rng(5), a, b, 30)
+    first = bt.distance(a, b, (pose_a, pose_b))
+    for depth in (1e-6, 1e-3, 0.1, 0.5):
+        moved = pose_b.position - (first.distance + depth)[:, None] * first.normal
+        poses = pose_a, bt.Pose(moved, pose_b.rotation)
+        found = bt.distance(a, b, poses)
+        assert faults(found, a, poses[0], b, poses[1]) == []
+        for i in range(0, 30, 10):
+            turn = poses[0].rotation[i]
+            to_b = turn.T @ poses[1].rotation[i], (moved[i] - pose_a.position[i]) @ turn
+            n = turn @ best_normal(a, b, *to_b)
+            best = plane_bound(a, poses[0][i], b, poses[1][i], n)
+            assert found.lower_bound[i] - 1e-9 <= best <= found.upper_bound[i] + 1e-12
 
 
 def test_without_a_compiler_answers_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
