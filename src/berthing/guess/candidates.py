@@ -10,6 +10,8 @@ from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Body
 from berthing.geometry.pose import Pose
+from berthing.guess.in_the_way import in_the_way
+from berthing.guess.nearby import ROOM
 from berthing.guess.path import Guess, VehiclePath
 from berthing.guess.thrust import pushing_attitude, turned_onto
 from berthing.scenario.phase import Phase
@@ -91,7 +93,7 @@ def _around(
     out = []
     margin = scenario.margins.default_m
     lead = phase.vehicles[0]
-    for name, body, pose in _obstacles(scenario, ends[lead.name], duration_s):
+    for name, body, pose in _obstacles(scenario, lead, ends[lead.name], duration_s):
         # The frame of a body may lie anywhere; what is to be passed is its middle.
         centre = _centre(body, pose)
         for label, lead_side in _sides(ends[lead.name].along):
@@ -172,7 +174,7 @@ def _random(
         for vehicle in phase.vehicles:
             end = ends[vehicle.name]
             corners = [end.r0, end.r1]
-            for _, body, pose in _obstacles(scenario, end, duration_s):
+            for _, body, pose in _obstacles(scenario, vehicle, end, duration_s):
                 corners += _box(body, pose)
             low, high = np.min(corners, axis=0), np.max(corners, axis=0)
             position = rng.uniform(low - 1.0, high + 1.0)
@@ -182,15 +184,21 @@ def _random(
     return out
 
 
-def _obstacles(scenario: Scenario, end: _Ends, duration_s: float) -> list[tuple[str, Body, Pose]]:
-    """Structures at half time, nearest the straight line first; nothing goes around half-spaces."""
+def _obstacles(
+    scenario: Scenario, vehicle: Vehicle, end: _Ends, duration_s: float
+) -> list[tuple[str, Body, Pose]]:
+    """What is in the way of structures at half time, nearest the straight line first.
+
+    Nothing goes around half-spaces.
+    """
+    length = float(np.linalg.norm(end.r1 - end.r0))
+    size = 2.0 * vehicle.body.bounding_radius + scenario.margins.default_m
     found = []
     for structure in scenario.structures:
         pose = structure.motion.pose(np.array([0.5 * duration_s]))[0]
-        parts = [part for part in structure.body.parts if np.isfinite(part.bounding_radius)]
-        if not parts:
+        body = in_the_way(structure.body, pose, (end.r0, end.r1), size + ROOM * length, size)
+        if body is None:
             continue
-        body = Body(tuple(parts))
         centre = _centre(body, pose)
         along = np.clip((centre - end.r0) @ end.along, 0.0, np.linalg.norm(end.r1 - end.r0))
         distance = float(np.linalg.norm(centre - end.r0 - along * end.along))

@@ -15,6 +15,7 @@ v. All other conic sets take their multipliers as they are.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import casadi as ca
@@ -128,8 +129,9 @@ class ConicEpigraph:
 Epigraph = BlockEpigraph | VertexEpigraph | ConicEpigraph
 
 
+@lru_cache(maxsize=4096)
 def support_epigraph(shape: ConvexSet) -> Epigraph:
-    """The smallest exact epigraph of the support function of ``shape``.
+    """The smallest exact epigraph of the support function of ``shape``, worked out once a shape.
 
     Raises:
         CapabilityError: the shape has neither a conic form nor vertices.

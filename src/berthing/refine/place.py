@@ -24,11 +24,13 @@ def near_sites(mesh: Mesh, pairs: int, sampled: SampledClearance, within_m: floa
     """
     t0, t1 = float(sampled.times_s[0]), float(sampled.times_s[-1])
     widest = float(np.max(np.diff(mesh.breaks))) * (t1 - t0)
+    close = sampled.shortfall_m > -within_m
     kept = []
     for site in node_sites(mesh, pairs):
+        if not close[site.pair].any():
+            continue
         t = t0 + (t1 - t0) * mesh.fraction(site.segment, site.s)
-        around = np.abs(sampled.times_s - t) <= 0.5 * widest
-        if np.any(sampled.shortfall_m[site.pair, around] > -within_m):
+        if np.any(close[site.pair, np.abs(sampled.times_s - t) <= 0.5 * widest]):
             kept.append(site)
     return kept
 

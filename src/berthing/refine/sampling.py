@@ -56,11 +56,9 @@ def sample_clearance(
     margins = np.empty_like(distances)
     owners: dict[str, Pose] = {}
     for i, pair in enumerate(pairs):
-        poses = [
-            _owner_pose(owners, owner, trajectory, times_s).compose(part.placement)
-            for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
-        ]
-        distances[i] = _distances(pair.part_a, poses[0], pair.part_b, poses[1], near_m)
+        a = _owner_pose(owners, pair.owner_a, trajectory, times_s)
+        b = _owner_pose(owners, pair.owner_b, trajectory, times_s)
+        distances[i] = _distances(pair.part_a, a, pair.part_b, b, near_m)
         for t0, t1, margin in scenario.margins.windows(
             pair.ref_a, pair.ref_b, (float(times_s[0]), float(times_s[-1]))
         ):
@@ -80,13 +78,19 @@ def _owner_pose(
     return known[owner.name]
 
 
-def _distances(a: Part, poses_a: Pose, b: Part, poses_b: Pose, near_m: float) -> Array:
-    centres = np.linalg.norm(poses_b.position - poses_a.position, axis=-1)
-    distances = centres - a.shape.bounding_radius - b.shape.bounding_radius
+def _distances(a: Part, body_a: Pose, b: Part, body_b: Pose, near_m: float) -> Array:
+    """Of two parts (k,), their bodies' frames being at the poses (k,)."""
+    centre_a, centre_b = (
+        body.apply(part.placement.position) for body, part in ((body_a, a), (body_b, b))
+    )
+    apart = np.linalg.norm(centre_b - centre_a, axis=-1)
+    distances = apart - a.shape.bounding_radius - b.shape.bounding_radius
     near = np.flatnonzero(distances < near_m)
     if len(near):
-        exact, _, _ = PairQuery(a.shape, b.shape).batch(poses_a[near], poses_b[near])
-        distances[near] = exact
+        placed_a, placed_b = (
+            body[near].compose(part.placement) for body, part in ((body_a, a), (body_b, b))
+        )
+        distances[near] = PairQuery(a.shape, b.shape).batch(placed_a, placed_b)[0]
     return np.asarray(distances)
 
 

@@ -19,6 +19,9 @@ from berthing.scenario.vehicle import Vehicle
 from berthing.verify.part_pair import enclosing_ball
 from berthing.verify.settings import ENDPOINT_TOLERANCE_M
 
+Poses = dict[tuple[str, str, str, float | None], Pose | None]
+"""By phase, owner, end and time."""
+
 
 def check_endpoints(scenario: Scenario) -> None:
     """Refuse a start or goal at which a pair is closer than its margin, whatever the plan.
@@ -32,11 +35,12 @@ def check_endpoints(scenario: Scenario) -> None:
         InputError: names the vehicle, the end, the pair, its distance and its margin.
     """
     begin: float | None = 0.0
+    known: Poses = {}
     for phase in scenario.phases:
         end = _end_of(phase, begin)
         for pair in scenario.pairs(phase):
             for name, t in (("start", begin), ("goal", end)):
-                _check(scenario, phase, pair, name, t)
+                _check(scenario, phase, pair, name, t, known)
         begin = end
 
 
@@ -45,7 +49,9 @@ def _end_of(phase: Phase, begin: float | None) -> float | None:
     return None if begin is None or phase.horizon.is_free else begin + phase.horizon.min_s
 
 
-def _check(scenario: Scenario, phase: Phase, pair: Pair, name: str, t: float | None) -> None:
+def _check(
+    scenario: Scenario, phase: Phase, pair: Pair, name: str, t: float | None, known: Poses
+) -> None:
     margin = _margin(scenario, phase, pair, t)
     if margin is None:
         return
@@ -53,13 +59,17 @@ def _check(scenario: Scenario, phase: Phase, pair: Pair, name: str, t: float | N
     if t is None and ends[0] is not None and ends[0].frame == pair.owner_b.name:
         # In the structure's own frame the pair is the same at all times.
         t = 0.0
-    poses = [
-        _pose(scenario, owner, end, t)
-        for owner, end in zip((pair.owner_a, pair.owner_b), ends, strict=True)
-    ]
+    poses: list[Pose | None] = []
+    for owner, end in zip((pair.owner_a, pair.owner_b), ends, strict=True):
+        key = (phase.name, owner.name, name, t)
+        if key not in known:
+            known[key] = _pose(scenario, owner, end, t)
+        poses.append(known[key])
     if poses[0] is None or poses[1] is None:
         return
     a, b = pair.part_a, pair.part_b
+    if _balls_apart(poses[0], a, poses[1], b) >= margin:
+        return
     found = separation(
         a.shape, poses[0].compose(a.placement), b.shape, poses[1].compose(b.placement)
     )
@@ -72,6 +82,14 @@ def _check(scenario: Scenario, phase: Phase, pair: Pair, name: str, t: float | N
             f"{pair.ref_a} {state} {pair.ref_b}: their distance is {found.distance:.6g} m",
             f"at least the margin of {margin:g} m",
         )
+
+
+def _balls_apart(pose_a: Pose, a: Part, pose_b: Pose, b: Part) -> float:
+    """No more than the distance of two parts whose bodies are at the poses (m)."""
+    ball_a, ball_b = enclosing_ball(a), enclosing_ball(b)
+    dim = pose_a.dim
+    apart = pose_b.apply(ball_b.centre[:dim]) - pose_a.apply(ball_a.centre[:dim])
+    return float(np.linalg.norm(apart)) - ball_a.radius - ball_b.radius
 
 
 def _end(owner: Vehicle | Structure, name: str) -> End | None:
