@@ -8,6 +8,7 @@ import berthing as bt
 from berthing.clearance.separation import separation
 from berthing.errors import InputError
 from berthing.geometry import quaternion
+from berthing.geometry.half_space import HalfSpace
 from berthing.routes import routing
 from berthing.routes.checker import Checker
 from berthing.routes.resting import at_rest
@@ -232,3 +233,16 @@ def test_options_and_phases_that_are_refused():
     twice = replace(whole, phases=(*whole.phases, replace(whole.phases[0], name="next")))
     with pytest.raises(InputError, match="2 phases"):
         route(twice)
+
+
+def test_a_ground_without_end_is_kept_clear_of():
+    ground = hand_made.structure(HalfSpace(np.array([0.0, 0.0, 1.0]), -1.0), name="ground")
+    rock = hand_made.structure(
+        bt.Box(np.array([1.0, 9.0, 1.0])), name="rock", at=[hand_made.placed([4.0, 0.0, -0.5])]
+    )
+    goal = bt.End(np.array([8.0, 0.0, 0.0]))
+    whole = hand_made.scenario([hand_made.vehicle(bt.Sphere(0.5), goal=goal)], [ground, rock])
+    (own,) = route(whole).routes
+    assert own.clearance_m >= 0.1
+    assert np.all(own.states[:, 0, 2] >= -0.4)
+    assert np.max(own.states[:, 0, 2]) >= 1.0

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import csv
 import json
-from itertools import product
+from itertools import pairwise, product
 from pathlib import Path
 
 import numpy as np
@@ -70,14 +70,38 @@ def poses(folder: Path, vehicle: str, count: int) -> tuple[np.ndarray, np.ndarra
     return times, out[:, :3], out[:, 3:]
 
 
+def route_poses(folder: Path, vehicle: str, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Positions (k, 3) and quaternions (k, 4) of route.json's first route, ``count`` a leg.
+
+    Straight, and by slerp: sin((1 − s) θ) q₀ + sin(s θ) q₁ over sin θ.
+    """
+    document = json.loads((folder / "route.json").read_text())
+    states = np.array([state[vehicle] for state in document["routes"][0]["states"]])
+    found = []
+    for one, other in pairwise(states):
+        q0, q1 = one[3:], other[3:] if one[3:] @ other[3:] >= 0 else -other[3:]
+        angle = np.arccos(min(1.0, q0 @ q1))
+        for s in np.linspace(0.0, 1.0, count):
+            shares = np.array([1 - s, s])
+            if angle > 1e-6:
+                shares = np.sin(shares * angle) / np.sin(angle)
+            q = shares[0] * q0 + shares[1] * q1
+            found.append(np.concatenate([(1 - s) * one[:3] + s * other[:3], q]))
+    out = np.array(found)
+    return out[:, :3], out[:, 3:]
+
+
 def least_distance(folder: Path, count: int, near: float = 1.0) -> float:
-    """The least distance of the first vehicle from any fixed structure at ``count`` times.
+    """The least distance of the first vehicle from any fixed structure at ``count`` times, or at
+    so many instants of each leg of a route.
 
     Where bounding balls are further apart than ``near`` their gap is taken.
     """
-    scenario = json.loads((folder / "plan.json").read_text())["scenario"]
+    plans = (folder / "plan.json").exists()
+    document = json.loads((folder / ("plan.json" if plans else "route.json")).read_text())
+    scenario = document["scenario"]
     vehicle = scenario["phases"][0]["vehicles"][0]
-    _, r, q = poses(folder, vehicle["name"], count)
+    r, q = (poses if plans else route_poses)(folder, vehicle["name"], count)[-2:]
     hulls = [corners(part["shape"]) for part in vehicle["parts"]]
     least = np.inf
     for structure in scenario["structures"]:
@@ -87,7 +111,7 @@ def least_distance(folder: Path, count: int, near: float = 1.0) -> float:
             solid = corners(part["shape"]) + base + offset
             centre = solid.mean(axis=0)
             reach = np.linalg.norm(solid - centre, axis=1).max()
-            for hull, i in product(hulls, range(count)):
+            for hull, i in product(hulls, range(len(r))):
                 gap = np.linalg.norm(r[i] - centre) - reach - np.linalg.norm(hull, axis=1).max()
                 if gap > min(near, least):
                     continue
