@@ -179,7 +179,12 @@ def table(rows: list[dict[str, Any]]) -> str:
 
 
 def main(arguments: list[str]) -> int:
-    """Compare on random passes, print the table; 1 where they differ or accept a violation."""
+    """Compare on random passes and print the table.
+
+    Returns:
+        1 where they differ on what is not forged, or accept a violation. Of a forged bound one may
+        prove enough that the other, with wider suprema, does not.
+    """
     parser = argparse.ArgumentParser(prog="python -m benchmarks checker")
     parser.add_argument("--json", type=Path)
     parser.add_argument("--count", type=int, default=300)
@@ -189,6 +194,7 @@ def main(arguments: list[str]) -> int:
         lines = ",\n".join(json.dumps(row) for row in rows)
         options.json.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
     print(table(rows))
-    wrong = [r for r in rows if r["checker"] != r["verify"]]
-    wrong += [r for r in rows if r["what"] == "a margin violated" and r["checker"]]
+    sure = [r for r in rows if r["what"] not in FORGERIES]
+    wrong = [r for r in sure if r["checker"] != r["verify"]]
+    wrong += [r for r in sure if r["what"] == "a margin violated" and r["checker"]]
     return int(bool(wrong))

@@ -35,7 +35,7 @@ def found(given, jumps=(), nodes=None):
     vehicle = phase.vehicles[0]
     nodes = nodes or plan.nodes[0]
     own = plan.phases[0].vehicles[0]
-    return nodes, arcs(phase, vehicle, nodes, own, jumps, derivative(vehicle.model))
+    return nodes, arcs(phase, vehicle, nodes, own, jumps)
 
 
 def test_costates_and_variations_keep_their_product(turning) -> None:

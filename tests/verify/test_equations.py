@@ -9,7 +9,15 @@ from berthing.geometry.arrays import skew
 from berthing.scenario.point_mass import PointMass
 from berthing.scenario.rigid_body import RigidBody
 from berthing.scenario.wrench import Wrench
-from berthing.verify.equations import coriolis, derivative, knots_s, mass_matrix, quadratic_load
+from berthing.verify.equations import (
+    coriolis,
+    derivative,
+    derivatives,
+    knots_s,
+    mass_matrix,
+    quadratic_load,
+)
+from support import users
 
 MASS = 3.0
 CENTRE = np.array([0.3, -0.2, 0.4])
@@ -111,3 +119,22 @@ def test_a_model_without_equations_is_refused() -> None:
 
     with pytest.raises(CapabilityError, match="'other'"):
         derivative(Other(1.0))
+
+
+@pytest.mark.parametrize("name", ["lopsided", "pushed", "point", "user"])
+def test_many_at_once_are_the_same(name: str) -> None:
+    arm = Wrench(
+        "arm", np.array([1.0, 0.2, 0.0]), np.array([0.2, 0.6]),
+        np.array([[0.0, 0.1, 0.0], [0.3, 0.0, 0.0]]), np.zeros((2, 3)),
+    )  # fmt: skip
+    model = {
+        "lopsided": lopsided(), "pushed": lopsided(arm), "point": PointMass(2.0, 3),
+        "user": users.rover(),
+    }[name]  # fmt: skip
+    rng = np.random.default_rng(4)
+    t = np.linspace(0.0, 1.0, 7)
+    x = rng.normal(size=(7, len(model.state_names)))
+    u = rng.normal(size=(7, len(model.control_names)))
+    one = derivative(model)
+    expected = [one(float(a), b, c) for a, b, c in zip(t, x, u, strict=True)]
+    np.testing.assert_allclose(derivatives(model)(t, x, u), expected, rtol=1e-12, atol=1e-12)

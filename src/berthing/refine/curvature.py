@@ -37,6 +37,10 @@ FLAT = 1e-7
 
 DECADES = tuple(10.0**k for k in range(-7, 3))
 
+WEAK = 1e-4
+"""Of the largest multiplier: a plane that pulls by less is not held by its pull, for curvature
+against turning it is as small. Without its row more moves are allowed, not fewer."""
+
 TIGHT, LOOSE = 1e-7, 1e12
 """Between which E stays. Equalities have the first: springs of 1e7 in place of rows, whose rounding
 is a hundredth of ``FLAT``. What is a minimum with springs is one with rows."""
@@ -52,7 +56,7 @@ def second_order(answer: Answer) -> SecondOrder | None:
     evaluation = Evaluation(problem.nlp, bounded)
     evaluation.at(outcome.parameters)
     y = np.append(outcome.multipliers, outcome.bound_multipliers[bounded])
-    return curvatures(evaluation, bounds, outcome.x, y, lambda corner: _idle(problem, corner))
+    return curvatures(evaluation, bounds, outcome.x, y, lambda corner: _idle(answer, corner))
 
 
 def curvatures(
@@ -68,12 +72,11 @@ def curvatures(
     corner[rows] = LOOSE
     kept = np.setdiff1d(np.arange(evaluation.variables), variables)
     complement = _complement(evaluation, x, y, corner, kept)
-    negative, small = _below(complement, -FLAT), _below(complement, FLAT)
+    small = _below(complement, FLAT)
+    negative = 0 if small == 0 else _below(complement, -FLAT)
     if negative is None or small is None:
         return None
-    least = None
-    if small == 0:
-        least = max(level for level in DECADES if _below(complement, level) == 0)
+    least = None if small else _least(complement)
     own = len(corner) - len(rows)
     return SecondOrder(len(kept), own, negative, small - negative, FLAT, least)
 
@@ -91,6 +94,18 @@ def _complement(
     slopes = sparse.csc_matrix((jacobian, (rows, columns)), shape=(m, n))
     total = whole + slopes.T @ sparse.diags(1.0 / corner) @ slopes
     return sparse.csc_matrix(total[kept][:, kept])
+
+
+def _least(matrix: sparse.csc_matrix) -> float:
+    """The highest of the decades, the first of which is, that all eigenvalues are above."""
+    low, high = 0, len(DECADES)
+    while high - low > 1:
+        middle = (low + high) // 2
+        if _below(matrix, DECADES[middle]) == 0:
+            low = middle
+        else:
+            high = middle
+    return DECADES[low]
 
 
 def _below(matrix: sparse.csc_matrix, level: float) -> int | None:
@@ -112,12 +127,19 @@ def _corner(bounds: Bounds, values: Array, y: Array) -> Array:
     return np.where(bounds.equal, TIGHT, soft)
 
 
-def _idle(problem: Problem, corner: Array) -> tuple[list[int], list[int]]:
+def _idle(answer: Answer, corner: Array) -> tuple[list[int], list[int]]:
     """Variables and rows of planes that pull on nothing: their distance row is further from its
-    margin than its multiplier is from zero."""
+    margin than its multiplier is from zero, or its multiplier next to none."""
     variables, rows = list[int](), list[int]()
-    planes = _planes(problem)
-    pulling = {name for row, names in planes if corner[row] < 1.0 for name in names}
+    problem, planes = answer.problem, _planes(answer.problem)
+    force = np.abs(answer.outcome.multipliers[[row for row, _ in planes]])
+    least = WEAK * float(np.max(force, initial=0.0))
+    pulling = {
+        name
+        for (row, names), own in zip(planes, force, strict=True)
+        if corner[row] < 1.0 and own >= least
+        for name in names
+    }
     for row, names in planes:
         if names[-1] not in pulling:
             block = next(

@@ -16,13 +16,15 @@ from berthing.geometry.arrays import Array
 from berthing.scenario.phase import Phase
 from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import SeparationCostate, VehicleNodes, VehicleTrajectory
-from berthing.verify.equations import Derivative
+from berthing.verify.equations import derivatives
 from berthing.verify.lagrangian import (
     AT_NODE,
+    Path,
     Pulls,
-    hamiltonian_of,
     path_value,
-    ranges,
+    positions_of,
+    ranges_of,
+    running_of,
     slope,
     slopes,
 )
@@ -49,13 +51,16 @@ Jump = tuple[float, Array]
 @dataclass(frozen=True)
 class Stage:
     """A Gauss point between two nodes: its costate is ``back`` times that at the end of the
-    interval, and ``offset``; ``weight_s`` is of the integral over time, ``defect`` ẋ − f (nx,)."""
+    interval, and ``offset``; ``weight_s`` is of the integral over time, ``defect`` ẋ − f (nx,),
+    ``gain`` ∂f/∂u (nx, nu), and ``pulls`` are as ``Pulls`` has them."""
 
     t: float
     weight_s: float
     x: Array
     u: Array
     defect: Array
+    gain: Array
+    pulls: tuple[Array, Array, Path]
     back: Array
     offset: Array
 
@@ -84,13 +89,13 @@ def jumps_of(rows: Sequence[SeparationCostate], vehicle: str) -> list[Jump]:
 
 def arcs(
     phase: Phase, vehicle: Vehicle, nodes: VehicleNodes, trajectory: VehicleTrajectory,
-    jumps: Sequence[Jump], rates: Derivative,
+    jumps: Sequence[Jump],
 ) -> list[Arc]:  # fmt: skip
-    """One for every interval between nodes; ``rates`` are the vehicle's equations of motion.
+    """One for every interval between nodes.
 
     A row at the time of a node, which begins a segment, belongs to the interval before it.
     """
-    work = _Adjoint(phase, vehicle, nodes, trajectory, rates)
+    work = _Adjoint(phase, vehicle, nodes, trajectory)
     times = nodes.times_s
     near = AT_NODE * (times[-1] - times[0])
     least = MINOR * max((work.size_of(jump) for _, jump in jumps), default=0.0)
@@ -99,10 +104,12 @@ def arcs(
         i = int(np.searchsorted(times, t - near))
         if 0 < i < len(times):
             inner[i].append((t if work.size_of(jump) > least else float(times[i]), jump))
-    return [
-        work.arc(float(a), float(b), own, near)
+    edges = [
+        [float(b), *sorted({t for t, _ in own if t < b - near}, reverse=True), float(a)]
         for a, b, own in zip(times[:-1], times[1:], inner[1:], strict=True)
     ]
+    work.prepare([stretch for own in edges for stretch in pairwise(own)])
+    return [work.arc(own, found, near) for own, found in zip(edges, inner[1:], strict=True)]
 
 
 def misses(nodes: VehicleNodes, found: Sequence[Arc]) -> Array:
@@ -119,29 +126,58 @@ def carried_back(nodes: VehicleNodes, found: Sequence[Arc]) -> VehicleNodes:
     return replace(nodes, costates=np.array(costates[::-1]))
 
 
+@dataclass(frozen=True)
+class _Numbers:
+    """What a stretch's stages are made of, one entry a stage each."""
+
+    t: Array
+    x: Array
+    u: Array
+    defect: Array
+    linear: Array
+    constant: Array
+    gain: Array
+    pulls: list[tuple[Array, Array, Path]]
+
+
 class _Adjoint:
     """The adjoint equations of one vehicle along its trajectory: λ̇ = −Aᵀ λ − q."""
 
     def __init__(
-        self, phase: Phase, vehicle: Vehicle, nodes: VehicleNodes, trajectory: VehicleTrajectory,
-        rates: Derivative,
-    ) -> None:  # fmt: skip
-        self.trajectory = trajectory
-        self.rates = rates
+        self, phase: Phase, vehicle: Vehicle, nodes: VehicleNodes, trajectory: VehicleTrajectory
+    ) -> None:
+        self.vehicle, self.trajectory = vehicle, trajectory
         self.pulls = Pulls.of(vehicle, nodes, trajectory)
-        self.range = ranges(vehicle.model.state_names, np.ptp(nodes.states, axis=0))
+        self.range, self.control_range = ranges_of(vehicle, nodes)
         self.columns = len(self.range)
-        own_cost = any(cost.vehicle == vehicle.name for cost in phase.cost.running)
-        self.cost = hamiltonian_of(phase, vehicle, rates) if own_cost else None
+        self.running = running_of(phase, vehicle)
+        self.numbers: dict[tuple[float, float], _Numbers] = {}
 
     def size_of(self, jump: Array) -> float:
         """In units of the cost, each component by its range."""
         return float(np.max(np.abs(jump) * self.range))
 
-    def arc(self, begin: float, end: float, jumps: Sequence[Jump], near: float) -> Arc:
-        """The interval from ``begin`` to ``end``."""
-        later = sorted({t for t, _ in jumps if t < end - near}, reverse=True)
-        edges = [end, *later, begin]
+    def prepare(self, stretches: Sequence[tuple[float, float]]) -> None:
+        """Everything along the way at the stages of all stretches (high, low), at once."""
+        high, low = np.array(stretches).reshape(-1, 2).T
+        t = (high[:, None] - (high - low)[:, None] * _NODES).ravel()
+        x, u = self.trajectory.state(t), self.trajectory.control(t)
+        rates = derivatives(self.vehicle.model)
+        defect = self.trajectory.state_rate(t) - rates(t, x, u)
+        skip = positions_of(self.vehicle)
+        linear = slopes(lambda at: rates(t, at, u), x, self.range, skip)
+        gain = slopes(lambda at: rates(t, x, at), u, self.control_range)
+        pulls = [self.pulls.at(float(at)) for at in t]
+        constant = np.array([self._constant(*at) for at in zip(t, x, u, pulls, strict=True)])
+        for i, stretch in enumerate(stretches):
+            own = slice(i * STAGES, (i + 1) * STAGES)
+            self.numbers[stretch] = _Numbers(
+                t[own], x[own], u[own], defect[own], np.swapaxes(linear[own], 1, 2),
+                constant[own], gain[own], pulls[own],
+            )  # fmt: skip
+
+    def arc(self, edges: Sequence[float], jumps: Sequence[Jump], near: float) -> Arc:
+        """The interval with these edges, the latest first."""
         back, offset = np.eye(self.columns), np.zeros(self.columns)
         stages: list[Stage] = []
         for high, low in pairwise(edges):
@@ -157,50 +193,35 @@ class _Adjoint:
 
     def _stretch(self, high: float, low: float) -> tuple[Array, Array, list[Stage]]:
         """Without jumps: matrix and offset from ``high`` back to ``low``, and its stages."""
-        n, h = self.columns, high - low
-        t = high - h * _NODES
-        x, u, rate = (
-            of(t)
-            for of in (self.trajectory.state, self.trajectory.control, self.trajectory.state_rate)
-        )
-        linear, constant = zip(*(self._terms(*at) for at in zip(t, x, u, strict=True)), strict=True)
+        n, h, own = self.columns, high - low, self.numbers[high, low]
         matrix = np.eye(STAGES * n)
         right = np.zeros((STAGES * n, n + 1))
         for i in range(STAGES):
             mine = slice(i * n, (i + 1) * n)
             right[mine, :n] = np.eye(n)
             for j in range(STAGES):
-                matrix[mine, j * n : (j + 1) * n] -= h * TABLEAU[i, j] * linear[j]
-                right[mine, n] += h * TABLEAU[i, j] * constant[j]
+                matrix[mine, j * n : (j + 1) * n] -= h * TABLEAU[i, j] * own.linear[j]
+                right[mine, n] += h * TABLEAU[i, j] * own.constant[j]
         at: Array = np.asarray(np.linalg.solve(matrix, right), np.float64).reshape(STAGES, n, n + 1)
         total = np.eye(n, n + 1)
-        for weight, own, extra, here in zip(WEIGHTS, linear, constant, at, strict=True):
-            total = total + h * weight * (own @ here)
-            total[:, n] += h * weight * extra
+        for i in range(STAGES):
+            total = total + h * WEIGHTS[i] * (own.linear[i] @ at[i])
+            total[:, n] += h * WEIGHTS[i] * own.constant[i]
         stages = [
             Stage(
-                float(t[i]),
-                h * WEIGHTS[i],
-                x[i],
-                u[i],
-                rate[i] - self.rates(float(t[i]), x[i], u[i]),
-                at[i, :, :n],
-                at[i, :, n],
+                float(own.t[i]), h * WEIGHTS[i], own.x[i], own.u[i], own.defect[i], own.gain[i],
+                own.pulls[i], at[i, :, :n], at[i, :, n],
             )
             for i in range(STAGES)
-        ]
+        ]  # fmt: skip
         return total[:, :n], total[:, n], stages
 
-    def _terms(self, t: float, x: Array, u: Array) -> tuple[Array, Array]:
-        """Aᵀ (nx, nx) and q (nx,)."""
-        jacobian = slopes(lambda at: self.rates(float(t), at, u), x, self.range)
-        constant = np.zeros(self.columns)
-        if self.cost is not None:
-            cost, none = self.cost, np.zeros(self.columns)
-            constant += slope(lambda at: cost(float(t), at, u, none), x, self.range)
-        if self.pulls.any:
-            state, _, path = self.pulls.at(float(t))
-            constant += state
-            if path:
-                constant += slope(lambda at: path_value(path, float(t), at, u), x, self.range)
-        return jacobian.T, constant
+    def _constant(self, t: float, x: Array, u: Array, pulls: tuple[Array, Array, Path]) -> Array:
+        """q (nx,)."""
+        constant, _, path = pulls
+        running = self.running
+        if running is not None:
+            constant = constant + slope(lambda at: running(float(t), at, u), x, self.range)
+        if path:
+            constant = constant + slope(lambda at: path_value(path, float(t), at, u), x, self.range)
+        return constant

@@ -10,6 +10,7 @@ M_t ν̇ + l(ν) = q + q^m, with l(ν) corrected by −ω^× c^× ω in its firs
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from itertools import combinations_with_replacement
 
 import numpy as np
@@ -27,6 +28,10 @@ from berthing.xp import NUMPY
 Derivative = Callable[[float, Array, Array], Array]
 
 
+# Likewise (k, nx), of many.
+Derivatives = Callable[[Array, Array, Array], Array]
+
+
 def derivative(model: Model) -> Derivative:
     """The right-hand side of a model's equations of motion.
 
@@ -37,6 +42,19 @@ def derivative(model: Model) -> Derivative:
     if build is None:
         raise CapabilityError(f"no independent equations of motion for the model {model.kind!r}")
     return build(model)
+
+
+def derivatives(model: Model) -> Derivatives:
+    """The same of many times (k,), states (k, nx) and controls (k, nu) at once."""
+    build = _AT_ONCE.get(type(model))
+    if build is not None:
+        return build(model)
+    one = derivative(model)
+
+    def rates(t: Array, x: Array, u: Array) -> Array:
+        return np.array([one(float(a), b, c) for a, b, c in zip(t, x, u, strict=True)])
+
+    return rates
 
 
 def knots_s(model: Model) -> Array:
@@ -82,6 +100,46 @@ def _rigid_body(model: RigidBody) -> Derivative:
     return rates
 
 
+def _rigid_bodies(model: RigidBody) -> Derivatives:
+    """As ``_rigid_body``, a column of numbers in place of each."""
+    inverse, load = np.linalg.inv(mass_matrix(model)), quadratic_load(model)
+    wrench = _wrench_total(model.wrenches)
+
+    def rates(t: Array, x: Array, u: Array) -> Array:
+        velocity, q, rate = x[:, 3:6], x[:, 6:10], x[:, 10:13]
+        rotation = np.moveaxis(_rotation_rows(q), -1, 0)
+        nu = np.hstack([np.einsum("kj,kji->ki", velocity, rotation), rate])
+        outer = np.array([wrench(float(at)) for at in t]) if model.wrenches else 0.0
+        nu_dot = (u + outer - np.einsum("aij,ki,kj->ka", load, nu, nu)) @ inverse.T
+        turned = nu_dot[:, :3] + np.cross(rate, nu[:, :3])
+        acceleration = np.einsum("kij,kj->ki", rotation, turned)
+        w, v = q[:, :1], q[:, 1:]
+        half = 0.5 * rate
+        scalar = -np.sum(v * half, axis=1, keepdims=True)
+        vector = w * half + np.cross(v, half)
+        return np.hstack([velocity, acceleration, scalar, vector, nu_dot[:, 3:]])
+
+    return rates
+
+
+def _point_masses(model: PointMass) -> Derivatives:
+    return lambda t, x, u: np.hstack([x[:, model.dim :], u / model.mass_kg])
+
+
+def _rotation_rows(q: Array) -> Array:
+    """R(q/|q|) (3, 3, k) of quaternions (k, 4)."""
+    w, x, y, z = q.T
+    s = 2.0 / (w * w + x * x + y * y + z * z)
+    return np.array(
+        [
+            [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
+            [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
+            [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
+        ],
+        dtype=np.float64,
+    )
+
+
 def mass_matrix(model: RigidBody) -> Array:
     """M_t = [[m I, −c^×], [c^×, J]] (6, 6)."""
     c = skew(model.first_moment_kg_m)
@@ -97,17 +155,19 @@ def coriolis(model: RigidBody, nu: Array) -> Array:
     return np.concatenate([force, torque])
 
 
+@lru_cache(maxsize=64)
 def quadratic_load(model: RigidBody) -> Array:
-    """The tensor L (6, 6, 6) with l(ν) = (L ν) ν.
+    """The tensor L (6, 6, 6) with l(ν) = (L ν) ν, not to be written to.
 
     l is a quadratic form, so that L_ij = (l(e_i + e_j) − l(e_i) − l(e_j))/2. An integrator asks
-    for it some ten thousand times.
+    for it some ten thousand times, and each check of a model for the tensor anew.
     """
     unit = np.eye(6)
     out = np.empty((6, 6, 6))
     for i, j in combinations_with_replacement(range(6), 2):
         mixed = coriolis(model, unit[i] + unit[j]) - coriolis(model, unit[i])
         out[:, i, j] = out[:, j, i] = 0.5 * (mixed - coriolis(model, unit[j]))
+    out.setflags(write=False)
     return out
 
 
@@ -176,4 +236,8 @@ _MODELS: dict[type[Model], Callable[..., Derivative]] = {
     RigidBody: _rigid_body,
     PointMass: _point_mass,
     UserModel: _user,
+}
+_AT_ONCE: dict[type[Model], Callable[..., Derivatives]] = {
+    RigidBody: _rigid_bodies,
+    PointMass: _point_masses,
 }

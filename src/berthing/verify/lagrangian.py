@@ -24,34 +24,70 @@ NOTHING = 1e-9
 AT_NODE = 1e-9
 """Of the duration: times nearer than this are one."""
 
+Path = Sequence[tuple[PathConstraint, Array]]
+"""Path constraints with the multipliers of their rows."""
+
 Lagrangian = Callable[[float, Array, Array, Array], float]
 """H(t, x, u, λ) of one vehicle."""
 
 
+Running = Callable[[float, Array, Array], float]
+"""The user's own part of the cost a second, of the time, a state and a control."""
+
+
+def running_of(phase: Phase, vehicle: Vehicle) -> Running | None:
+    """Of one vehicle; None where it has none."""
+    own = [cost.function for cost in phase.cost.running if cost.vehicle == vehicle.name]
+    if not own:
+        return None
+    return lambda t, x, u: sum(float(h(t, x, u, NUMPY, 1)[0]) for h in own)
+
+
 def hamiltonian_of(phase: Phase, vehicle: Vehicle, f: Derivative) -> Lagrangian:
     """H(t, x, u, λ) of one vehicle with the equations of motion f."""
-    running = [own.function for own in phase.cost.running if own.vehicle == vehicle.name]
+    running = running_of(phase, vehicle)
 
     def value(t: float, x: Array, u: Array, costate: Array) -> float:
         total = phase.cost.control_energy * float(u @ u) + float(costate @ f(t, x, u))
-        return total + sum(float(h(t, x, u, NUMPY, 1)[0]) for h in running)
+        return total if running is None else total + running(t, x, u)
 
     return value
 
 
 def slope(value: Callable[[Array], float], at: Array, scale: Array) -> Array:
-    """Central differences of ``value``."""
-    return np.asarray(slopes(lambda x: np.array([value(x)]), at, scale)[0])
+    """Central differences (n,) of ``value`` at one place (n,)."""
+    many = slopes(lambda x: np.array([[value(own)] for own in x]), at[None], scale)
+    return np.asarray(many[0, 0])
 
 
-def slopes(values: Callable[[Array], Array], at: Array, scale: Array) -> Array:
-    """Central differences (m, n) of ``values`` (m,) by the components of ``at`` (n,)."""
-    out = []
-    for j in range(len(at)):
-        step = np.zeros(len(at))
-        step[j] = STEP * scale[j]
-        out.append((values(at + step) - values(at - step)) / (2.0 * step[j]))
-    return np.array(out).T
+def slopes(
+    values: Callable[[Array], Array], at: Array, scale: Array, skip: Sequence[int] = ()
+) -> Array:
+    """Central differences (k, m, n) of ``values``, (k, n) → (k, m), at k places (k, n).
+
+    Those by the components to ``skip``, which nothing depends on, are zero.
+    """
+    steps = STEP * scale
+    found = {}
+    for j in (j for j in range(len(scale)) if j not in skip):
+        later, sooner = at.copy(), at.copy()
+        later[:, j] += steps[j]
+        sooner[:, j] -= steps[j]
+        found[j] = (values(later) - values(sooner)) / (2.0 * steps[j])
+    some = next(iter(found.values()))
+    out = np.zeros((*some.shape, len(scale)))
+    for j, own in found.items():
+        out[:, :, j] = own
+    return out
+
+
+def positions_of(vehicle: Vehicle) -> tuple[int, ...]:
+    """Columns of the position in the state of models whose equations of motion are the same
+    everywhere."""
+    if vehicle.model.kind not in ("rigid-body", "point-mass"):
+        return ()
+    names = vehicle.model.state_names
+    return tuple(names.index(name) for name in ("x_m", "y_m", "z_m") if name in names)
 
 
 def ranges(names: Sequence[str], moved: Array) -> Array:
@@ -63,6 +99,15 @@ def ranges(names: Sequence[str], moved: Array) -> Array:
         most[unit] = max(most.get(unit, 0.0), float(far))
     spare = max(most.values(), default=0.0) or 1.0
     return np.array([most[unit] if most[unit] > NOTHING * spare else spare for unit in units])
+
+
+def ranges_of(vehicle: Vehicle, nodes: VehicleNodes) -> tuple[Array, Array]:
+    """Of the state (nx,): how far it moves; of the control (nu,): how large it gets."""
+    model = vehicle.model
+    return (
+        ranges(model.state_names, np.ptp(nodes.states, axis=0)),
+        ranges(model.control_names, np.nanmax(np.abs(nodes.controls), axis=0)),
+    )
 
 
 def within_segments(nodes: VehicleNodes, trajectory: VehicleTrajectory, t: Array) -> Array:
@@ -123,13 +168,13 @@ class Pulls:
         """Whether there is one that is not zero."""
         return bool(np.any(self.state) or np.any(self.control) or self.path)
 
-    def at(self, t: float) -> tuple[Array, Array, list[tuple[PathConstraint, Array]]]:
+    def at(self, t: float) -> tuple[Array, Array, Path]:
         """Those of the state, the control and the path constraints at a time."""
         weights = within_segments(self.nodes, self.trajectory, np.array([t]))[0]
         path = [(constraint, weights @ values) for constraint, values in self.path]
         return weights @ self.state, weights @ self.control, path
 
-    def at_node(self, i: int) -> tuple[Array, Array, list[tuple[PathConstraint, Array]]]:
+    def at_node(self, i: int) -> tuple[Array, Array, Path]:
         """Likewise at a node."""
         path = [(constraint, values[i]) for constraint, values in self.path]
         return self.state[i], self.control[i], path

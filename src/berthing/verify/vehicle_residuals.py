@@ -8,20 +8,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from berthing.geometry.arrays import Array
-from berthing.scenario.path_constraint import PathConstraint
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import SeparationCostate, VehicleNodes, VehicleTrajectory
 from berthing.verify.adjoint import Arc, arcs, jumps_of, misses
-from berthing.verify.equations import derivative
+from berthing.verify.equations import derivatives
 from berthing.verify.lagrangian import (
-    Lagrangian,
+    Path,
     Pulls,
-    hamiltonian_of,
     path_value,
-    ranges,
+    ranges_of,
+    running_of,
     slope,
+    slopes,
 )
 from berthing.verify.transversality import transversality
 from berthing.xp import NUMPY
@@ -29,32 +29,42 @@ from berthing.xp import NUMPY
 AT_LIMIT = 1e-6
 """Of the range between the limits: a control this near to one is at it."""
 
-Path = Sequence[tuple[PathConstraint, Array]]
-
 
 @dataclass(frozen=True)
 class _Instant:
-    """A state with control, costate and multipliers, and what time it stands for."""
+    """A state with control and multipliers, and what time it stands for.
+
+    Attributes:
+        fixed: (nu,) slope in the control of what does not take the costate.
+        gain: ∂f/∂u (nx, nu).
+    """
 
     weight_s: float
     t: float
     x: Array
     u: Array
-    costate: Array
     pull_x: Array
     pull_u: Array
     path: Path
+    fixed: Array
+    gain: Array
 
 
 @dataclass(frozen=True)
 class VehicleWay:
-    """One vehicle's nodes with all that its residuals are made of."""
+    """One vehicle's nodes with all that its residuals are made of.
+
+    Attributes:
+        at_nodes: those that have a control, with their numbers; between: stages of the arcs.
+        known: whether the multipliers of the control's limits are.
+    """
 
     vehicle: Vehicle
     nodes: VehicleNodes
-    value: Lagrangian
     arcs: Sequence[Arc]
-    pulls: Pulls
+    at_nodes: Sequence[tuple[int, _Instant]]
+    between: Sequence[_Instant]
+    known: bool
     x_range: Array
     u_range: Array
 
@@ -64,58 +74,57 @@ class VehicleWay:
         rows: Sequence[SeparationCostate],
     ) -> VehicleWay:  # fmt: skip
         vehicle = phase.vehicle(nodes.vehicle)
-        model, rates = vehicle.model, derivative(vehicle.model)
-        return VehicleWay(
-            vehicle, nodes, hamiltonian_of(phase, vehicle, rates),
-            arcs(phase, vehicle, nodes, trajectory, jumps_of(rows, vehicle.name), rates),
-            Pulls.of(vehicle, nodes, trajectory),
-            ranges(model.state_names, np.ptp(nodes.states, axis=0)),
-            ranges(model.control_names, np.nanmax(np.abs(nodes.controls), axis=0)),
-        )  # fmt: skip
+        found = arcs(phase, vehicle, nodes, trajectory, jumps_of(rows, vehicle.name))
+        pulls = Pulls.of(vehicle, nodes, trajectory)
+        x_range, u_range = ranges_of(vehicle, nodes)
+        make = _Instants(phase, vehicle, pulls.known, u_range)
+        times = nodes.times_s
+        middles = np.concatenate([times[:1], 0.5 * (times[1:] + times[:-1]), times[-1:]])
+        known = np.flatnonzero(np.all(np.isfinite(nodes.controls), axis=1))
+        t, x, u = times[known], nodes.states[known], nodes.controls[known]
+        rates = derivatives(vehicle.model)
+        gains = slopes(lambda at: rates(t, x, at), u, u_range)
+        at_nodes = [
+            make(
+                float(middles[i + 1] - middles[i]), float(times[i]), nodes.states[i],
+                nodes.controls[i], pulls.at_node(int(i)), gain,
+            )
+            for i, gain in zip(known, gains, strict=True)
+        ]  # fmt: skip
+        stages = [s for arc in found for s in arc.stages]
+        between = [make(s.weight_s, s.t, s.x, s.u, s.pulls, s.gain) for s in stages]
+        pairs = [(int(i), at) for i, at in zip(known, at_nodes, strict=True)]
+        return VehicleWay(vehicle, nodes, found, pairs, between, pulls.known, x_range, u_range)
 
     def residuals(self, scenario: Scenario) -> tuple[float, ...]:
         """Stationarity, adjoint, transversality, complementarity, dual and primal, in cost."""
-        at_nodes, between = self._at_nodes(), self._between()
-        stationarity = max(self._stationarity(at_nodes), self._stationarity(between))
-        adjoint = float(np.sum(np.abs(misses(self.nodes, self.arcs)) * self.x_range))
-        ends = transversality(scenario, self.vehicle, self.nodes, self.x_range)
-        slack, wrong = self._limits(at_nodes)
-        return stationarity, adjoint, ends, slack, wrong, self._primal()
-
-    def _at_nodes(self) -> list[_Instant]:
-        own, times = self.nodes, self.nodes.times_s
-        known = np.flatnonzero(np.all(np.isfinite(own.controls), axis=1))
-        middles = np.concatenate([times[:1], 0.5 * (times[1:] + times[:-1]), times[-1:]])
-        return [
-            _Instant(
-                float(middles[i + 1] - middles[i]), float(times[i]), own.states[i],
-                own.controls[i], own.costates[i], *self.pulls.at_node(int(i)),
-            )
-            for i in known
-        ]  # fmt: skip
-
-    def _between(self) -> list[_Instant]:
-        ends = zip(self.arcs, self.nodes.costates[1:], strict=True)
-        return [
-            _Instant(s.weight_s, s.t, s.x, s.u, s.costate(end), *self.pulls.at(s.t))
-            for arc, end in ends
+        costates = self.nodes.costates
+        inner = [
+            s.costate(end)
+            for arc, end in zip(self.arcs, costates[1:], strict=True)
             for s in arc.stages
         ]
-
-    def _stationarity(self, instants: Iterable[_Instant]) -> float:
-        return sum(
-            at.weight_s * float(np.sum(np.abs(self._control_slope(at)) * self.u_range))
-            for at in instants
+        stationarity = max(
+            self._stationarity((at, costates[i]) for i, at in self.at_nodes),
+            self._stationarity(zip(self.between, inner, strict=True)),
         )
+        ends = transversality(scenario, self.vehicle, self.nodes, self.x_range)
+        slack, wrong = self._limits(at for _, at in self.at_nodes)
+        return stationarity, self.adjoint, ends, slack, wrong, self._primal(inner)
 
-    def _control_slope(self, at: _Instant) -> Array:
-        def lagrangian(u: Array) -> float:
-            return self.value(at.t, at.x, u, at.costate) + path_value(at.path, at.t, at.x, u)
+    @property
+    def adjoint(self) -> float:
+        """What the costates miss their equations by, in cost."""
+        return float(np.sum(np.abs(misses(self.nodes, self.arcs)) * self.x_range))
 
-        found = slope(lagrangian, at.u, self.u_range)
-        if self.pulls.known:
-            return found + at.pull_u
-        return self._inward(at.u, found)
+    def _stationarity(self, instants: Iterable[tuple[_Instant, Array]]) -> float:
+        total = 0.0
+        for at, costate in instants:
+            found = at.fixed + costate @ at.gain
+            if not self.known:
+                found = self._inward(at.u, found)
+            total += at.weight_s * float(np.sum(np.abs(found) * self.u_range))
+        return total
 
     def _inward(self, u: Array, found: Array) -> Array:
         """The slope without what presses against a limit."""
@@ -142,9 +151,32 @@ class VehicleWay:
                 wrong += at.weight_s * float(np.sum(np.maximum(-mu, 0.0))) * own.scale
         return slack, wrong
 
-    def _primal(self) -> float:
+    def _primal(self, costates: Sequence[Array]) -> float:
+        stages = [s for arc in self.arcs for s in arc.stages]
         return sum(
-            s.weight_s * float(np.sum(np.abs(s.costate(end) * s.defect)))
-            for arc, end in zip(self.arcs, self.nodes.costates[1:], strict=True)
-            for s in arc.stages
+            s.weight_s * float(np.sum(np.abs(costate * s.defect)))
+            for s, costate in zip(stages, costates, strict=True)
         )
+
+
+@dataclass(frozen=True)
+class _Instants:
+    """Makes instants of one vehicle, with what takes the equations of motion."""
+
+    phase: Phase
+    vehicle: Vehicle
+    known: bool
+    u_range: Array
+
+    def __call__(
+        self, weight_s: float, t: float, x: Array, u: Array, pulls: tuple[Array, Array, Path],
+        gain: Array,
+    ) -> _Instant:  # fmt: skip
+        pull_x, pull_u, path = pulls
+        running = running_of(self.phase, self.vehicle)
+        fixed = 2.0 * self.phase.cost.control_energy * u + (pull_u if self.known else 0.0)
+        if running is not None:
+            fixed = fixed + slope(lambda at: running(t, x, at), u, self.u_range)
+        if path:
+            fixed = fixed + slope(lambda at: path_value(path, t, x, at), u, self.u_range)
+        return _Instant(weight_s, t, x, u, pull_x, pull_u, path, fixed, gain)
