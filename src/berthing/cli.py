@@ -144,6 +144,9 @@ def route_command(
     time_limit: Annotated[
         float | None, typer.Option(metavar="S", help="Wall time allowed, in seconds.")
     ] = None,
+    figures: Annotated[
+        bool, typer.Option("--figures", help="Draw each route, as figures/route-N.png.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Find a path of the full shape, every leg of it certified as plans are, and write it.
@@ -157,7 +160,7 @@ def route_command(
     **Examples**
 
     - `berthing route scenario-b-tight`
-    - `berthing route scenario-a --classes 4 --seed 1 --out routes/four --force`
+    - `berthing route scenario-a --classes 4 --seed 1 --figures --out routes/four`
     - `berthing route scenario-b-tight --json | jq .routes[0].clearance_lower_bound_m`
     """
 
@@ -165,8 +168,9 @@ def route_command(
         from berthing.commands import finding_routes
 
         return finding_routes.run(
-            scenario, seed, classes, time_limit, out, force=force, as_json=as_json
-        )
+            scenario, seed, classes, time_limit, out,
+            force=force, figures=figures, as_json=as_json,
+        )  # fmt: skip
 
     raise typer.Exit(guarded(work))
 

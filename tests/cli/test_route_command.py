@@ -95,3 +95,14 @@ def test_a_shape_of_no_size_is_one_clear_error(run, tmp_path):
     assert done.exit_code == 2
     assert "size_m" in done.stderr
     assert len(done.stderr.strip().splitlines()) <= 2
+
+
+@pytest.mark.parametrize("name", ["spinning-structure", "point-mass-2d"])
+def test_figures_are_drawn_on_demand(run, tmp_path, name):
+    done = run("route", name, "--figures", "--out", "drawn")
+    assert done.exit_code == 0, done.output
+    (figure,) = (tmp_path / "drawn" / "figures").iterdir()
+    assert figure.name == "route-0.png"
+    assert figure.read_bytes().startswith(b"\x89PNG")
+    assert run("route", name, "--force", "--out", "drawn").exit_code == 0
+    assert not (tmp_path / "drawn" / "figures").exists()

@@ -21,7 +21,7 @@ DEFAULT_FOLDER = Path("routes")
 
 def run(
     name: str, seed: int, classes: int, time_limit_s: float | None, out: Path | None,
-    *, force: bool, as_json: bool,
+    *, force: bool, figures: bool, as_json: bool,
 ) -> int:  # fmt: skip
     """Find routes through the scenario called ``name`` and write them; the exit code.
 
@@ -29,6 +29,7 @@ def run(
         seed, classes, time_limit_s: of ``route``.
         out: the folder; None for the default.
         force: replace an older folder.
+        figures: draw each route too.
         as_json: print JSON only.
 
     Raises:
@@ -41,7 +42,7 @@ def run(
     options: dict[str, Any] = {"seed": seed, "classes": classes, "time_limit_s": time_limit_s}
     with progress_line() as progress:
         found = route(scenario, **options, progress=progress)
-        document = write_routes(scenario, found, options, target, force=force)
+        document = write_routes(scenario, found, options, target, force=force, figures=figures)
     if as_json:
         typer.echo(to_text(summary(document, str(target))), nl=False)
     else:

@@ -10,7 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from berthing.errors import InputError
-from berthing.report.fresh_folder import FAILURE_JSON, ROUTE_CSV, ROUTE_JSON, fresh_folder
+from berthing.report.fresh_folder import (
+    FAILURE_JSON,
+    FIGURES,
+    ROUTE_CSV,
+    ROUTE_JSON,
+    fresh_folder,
+)
 from berthing.report.plan_json import to_text, versions
 from berthing.routes.routing import Route, Routes
 from berthing.scenario.normal import document_sha256
@@ -28,8 +34,9 @@ HOW_TO_READ = (
 
 
 def write_routes(
-    scenario: Scenario, found: Routes, options: Mapping[str, Any], target: Path, *, force: bool
-) -> dict[str, Any]:
+    scenario: Scenario, found: Routes, options: Mapping[str, Any], target: Path, *, force: bool,
+    figures: bool = False,
+) -> dict[str, Any]:  # fmt: skip
     """Write the folder, whole or not at all; return its JSON.
 
     Args:
@@ -38,6 +45,7 @@ def write_routes(
         options: those of the command, for a failure.
         target: the folder.
         force: replace an older folder of a route or a plan.
+        figures: draw each route too.
 
     Raises:
         InputError: the folder may not or cannot be written.
@@ -48,6 +56,8 @@ def write_routes(
                 document = route_document(scenario, found)
                 (folder / ROUTE_JSON).write_text(to_text(document), encoding="utf-8")
                 (folder / ROUTE_CSV).write_text(table(found), encoding="utf-8")
+                if figures:
+                    _draw(scenario, found, folder / FIGURES)
             else:
                 document = _failure(scenario, found, options)
                 (folder / FAILURE_JSON).write_text(to_text(document), encoding="utf-8")
@@ -55,6 +65,16 @@ def write_routes(
         where = str(error.filename or target)
         raise InputError(where, f"cannot be written: {error.strerror or error}") from None
     return document
+
+
+def _draw(scenario: Scenario, found: Routes, folder: Path) -> None:
+    # Loaded when wanted: it takes longer than most routes.
+    from berthing.report.route_figure import draw_route
+    from berthing.report.style import save
+
+    folder.mkdir()
+    for number, own in enumerate(found.routes):
+        save(draw_route(scenario, own), folder / f"route-{number}.png")
 
 
 def route_document(scenario: Scenario, found: Routes) -> dict[str, Any]:
