@@ -103,9 +103,12 @@ class Planner:
     Raises:
         InputError: controls are asked for that are not polynomials.
 
-    >>> planner = Planner(scenario)                                     # doctest: +SKIP
-    >>> planner.plan()                                                  # doctest: +SKIP
-    >>> planner.replan({"spacecraft": x}, 12.0, deadline_s=0.5)         # doctest: +SKIP
+    >>> import berthing as bt
+    >>> planner = bt.Planner(bt.load("free-space"))
+    >>> flown = planner.plan().plan.phases[0].vehicle("spacecraft")
+    >>> measured = flown.state(np.array([10.0]))[0]
+    >>> planner.replan(measured, 10.0, deadline_s=60.0).outcome
+    'certified'
     """
 
     def __init__(self, scenario: Scenario, *, options: SolverOptions | None = None) -> None:

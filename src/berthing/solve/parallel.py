@@ -133,5 +133,6 @@ def _child(
 ) -> None:
     # Ctrl-C reaches the whole group; the parent alone decides what becomes of it.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     sender.send(solver.solve(scenario, start, backoff_m=backoff_m))
     sender.close()
