@@ -94,9 +94,25 @@ static inline V polytope_point(const double *d, V n)
     return three(d + 1 + 3 * best);
 }
 
+/* Exact about 1, where boundaries are. */
+static inline double log_near_one(double x)
+{
+    double d = x - 1.0;
+    return fabs(d) < 1e-4 ? d * (1.0 - d * (0.5 - d * (1.0 / 3.0 - 0.25 * d))) : log(x);
+}
+
+/* The step that makes the logarithm of a sum of exponentials of -q s vanish, from the sum and those
+   with the factors q and q^2: Halley's, or far from there Newton's, which cannot go astray on what is
+   convex and falls. */
+static inline double step_to_one(double total, double slope, double bend)
+{
+    double g = log_near_one(total), mean = slope / total;
+    return fabs(g) > 0.5 ? g / mean : g / larger(mean - 0.5 * g * (bend / slope - mean), 0.5 * mean);
+}
+
 /* By the multiplier m of max n·x: (x_i/r_i)^(P_i - 1) = k_i/m with k_i = |n_i| r_i/P_i, and the
-   terms (x_i/r_i)^P_i = (k_i/m)^q_i, q_i = P_i/(P_i - 1), make 1: Newton's method for ln m from
-   below, on a convex falling function; exact at once where all exponents are the same. */
+   terms (x_i/r_i)^P_i = (k_i/m)^q_i, q_i = P_i/(P_i - 1), make 1: an equation for ln m, whose
+   logarithm is linear where all exponents are the same. */
 static inline V superellipsoid_point(const double *d, V n)
 {
     const double *r = d, *P = d + 3;
@@ -113,16 +129,17 @@ static inline V superellipsoid_point(const double *d, V n)
     }
     int same = P[0] == P[1] && P[1] == P[2];
     for (int step = 0; step < 40; step++) {
-        double total = 0.0, slope = 0.0;
+        double total = 0.0, slope = 0.0, bend = 0.0;
         for (int i = 0; i < 3; i++) {
             double q = P[i] / (P[i] - 1.0);
             if (s > 0.0 && (i == 0 || P[i] != P[i - 1])) fall = exp(-q * s);
             total += whole[i] * fall;
             slope += q * whole[i] * fall;
+            bend += q * q * whole[i] * fall;
         }
-        double more = log(total) * total / slope;
+        double more = step_to_one(total, slope, bend);
         s += more;
-        if (same || more <= 1e-7) break; /* quadratic */
+        if (same || fabs(more) <= 1e-5) break; /* cubic */
     }
     V p;
     for (int i = 0; i < 3; i++) {

@@ -90,21 +90,21 @@ static inline V middle(const Shape *s)
     return s->kind == LOG_SUM_EXP ? three(s->data + 1) : vec(0.0, 0.0, 0.0);
 }
 
-/* Along a ray through the origin: Newton's method in ln c, c the factor of x, in which the logarithm
-   of the sum is convex and nearly straight. */
+/* Along a ray through the origin: steps of ln c, c the factor of x. */
 static inline V power_boundary(const double *r, const double *P, int dim, V x)
 {
     for (int step = 0; step < 60; step++) {
-        double total = 0.0, slope = 0.0;
+        double total = 0.0, slope = 0.0, bend = 0.0;
         for (int i = 0; i < dim; i++) {
             double term = power(at(x, i) / r[i], (int)P[i]);
             total += term;
             slope += P[i] * term;
+            bend += P[i] * P[i] * term;
         }
         if (!(total > 0.0) || !isfinite(total)) return x;
-        double less = log_near_one(total) * total / slope;
-        x = mul(fabs(less) < 1e-3 ? 1.0 - less * (1.0 - 0.5 * less) : exp(-less), x);
-        if (fabs(less) < 1e-8) break; /* quadratic */
+        double less = step_to_one(total, slope, bend);
+        x = mul(fabs(less) < 1e-4 ? 1.0 - less * (1.0 - less * (0.5 - less / 6.0)) : exp(-less), x);
+        if (fabs(less) < 1e-6) break; /* cubic */
     }
     return x;
 }

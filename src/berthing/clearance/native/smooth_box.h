@@ -11,13 +11,6 @@ static inline const double *exponents_of(const double *d) { return d + 3; }
 static inline const double *weights_of(const double *d) { return d + 6; }
 static inline const double *reaches_of(const double *d) { return d + 9; }
 
-/* Exact about 1, where boundaries are. */
-static inline double log_near_one(double x)
-{
-    double d = x - 1.0;
-    return fabs(d) < 1e-4 ? d * (1.0 - d * (0.5 - d * (1.0 / 3.0 - 0.25 * d))) : log(x);
-}
-
 /* ln of the sum. Points lie within twice the box, so that nothing overflows. */
 static inline Level box_level(const double *d, int dim, V x)
 {
