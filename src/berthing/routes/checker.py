@@ -148,8 +148,8 @@ class Checker:
 
         Reference points move straight on while attitudes turn the shorter way at a constant rate,
         all in step: the motion of SE(3) that most planners take. It is certified as a plan is, for
-        every instant of it and not for samples. Many at once, batches (n,) of poses, take a tenth
-        of the time each.
+        every instant of it and not for samples. Batches (n,) of poses are many motions in one call,
+        which take far less time each.
 
         Raises:
             InputError: as ``valid``; batches of more than one axis, a checker of one instant, or
