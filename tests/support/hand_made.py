@@ -36,6 +36,7 @@ from berthing.trajectory import (
     VehicleTrajectory,
 )
 from berthing.trajectory_io import write_interpolant, write_nodes, write_trajectory
+from berthing.trajectory_io.separation_costates import KEY, separations_document
 from berthing.verify.claims import claims_of, write_claims
 from berthing.verify.verification import verify
 
@@ -250,6 +251,7 @@ def write_folder(folder: Path, whole: Scenario, made: Plan) -> None:
         "iterations": made.iterations,
         "seed": made.seed,
         "verification": {"backoff_m": made.backoff_m, "certified": True},
+        "optimality": {KEY: separations_document(made.separations)},
     }
     (folder / "plan.json").write_text(json.dumps(record), encoding="utf-8")
     write_interpolant(folder / "interpolant.json", made.phases, sha)

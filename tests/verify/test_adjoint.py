@@ -15,6 +15,7 @@ from berthing.scenario.user_function import UserFunction
 from berthing.trajectory import SeparationCostate
 from berthing.verify.adjoint import arcs, carried_back, misses
 from berthing.verify.equations import derivative
+from berthing.verify.extremal import checked_extremality
 from berthing.verify.optimality import balance, drift_of, hamiltonian, relative_drift
 from berthing.verify.separation_rows import drawn_m_s, rooms_m
 
@@ -147,3 +148,13 @@ def test_a_free_horizon_is_judged_by_the_cost_a_second(turning, make) -> None:
     small = replace(plan, nodes=(nodes,), cost=1e3)
     assert drift_of(scenario, small, phase)[2] > 0.1
     assert drift_of(scenario, small, free)[2] < 0.1
+
+
+def test_nodes_that_are_all_at_one_time_do_no_harm(turning) -> None:
+    scenario, plan = turning
+    phase = scenario.phases[0]
+    free = replace(phase, horizon=replace(phase.horizon, min_s=1.0, max_s=100.0))
+    nodes = replace(plan.nodes[0], times_s=np.zeros(len(plan.nodes[0].times_s)))
+    still = replace(plan, nodes=(nodes,), cost=1.0)
+    assert drift_of(replace(scenario, phases=(free,)), still, free)[2] is not None
+    assert checked_extremality(scenario, still) is None

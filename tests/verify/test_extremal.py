@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from berthing.geometry.box import Box
+from berthing.report.verdict_table import extremality_rows
 from berthing.scenario.attitude import AxisAttitude, FreeAttitude
 from berthing.trajectory import SeparationCostate
 from berthing.verify.extremal import Extremality, extremality, with_best_costates
@@ -240,6 +241,15 @@ def test_digits_are_those_of_the_worst() -> None:
     assert found.to_json()["drift"] == 0.1
     assert math.isinf(Extremality(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, None).digits)
     assert found.to_json()["worst"] == 3e-4
+
+
+def test_a_residual_that_is_no_number_is_the_worst() -> None:
+    found = Extremality(0.1, 0.0, math.nan, 0.0, 0.0, 0.0, None)
+    assert found.limiting == "transversality"
+    assert found.worst == math.inf
+    assert found.digits == -math.inf
+    (first, *_) = extremality_rows(found)
+    assert first.value == "not: worst is transversality, inf of the cost"
 
 
 def test_ranges_are_shared_by_unit() -> None:

@@ -60,20 +60,22 @@ class Extremality:
 
     @property
     def worst(self) -> float:
-        """The largest of these."""
-        return max(self.residuals.values())
+        """The largest of these; infinite where one is no number."""
+        values = self.residuals.values()
+        return max(values) if all(map(math.isfinite, values)) else math.inf
 
     @property
     def limiting(self) -> str:
         """Which of these is the largest."""
-        return max(self.residuals, key=lambda key: self.residuals[key])
+        return max(self.residuals, key=lambda key: np.nan_to_num(self.residuals[key], nan=np.inf))
 
     @property
     def digits(self) -> float:
-        """k of "Pontryagin extremal to 1e-k", rounded down to a tenth; infinite at no residual."""
+        """k of "Pontryagin extremal to 1e-k", rounded down to a tenth; infinite at no residual,
+        and the other way where one is no number."""
         worst = self.worst
-        if not worst > 0.0:
-            return math.inf
+        if worst in (0.0, math.inf):
+            return math.inf if worst == 0.0 else -math.inf
         return math.floor(-10.0 * math.log10(worst)) / 10.0
 
     def to_json(self) -> dict[str, Any]:

@@ -64,7 +64,9 @@ def drift_of(scenario: Scenario, plan: Plan, phase: Phase) -> tuple[Array, Array
     times, values = balance(scenario, plan, phase)
     if not len(times) or not phase.horizon.is_free:
         return times, values, relative_drift(values)
-    return times, values, relative_drift(values, abs(plan.cost) / float(times[-1] - times[0]))
+    # Nodes of a file may all be at one time.
+    span = max(float(times[-1] - times[0]), np.finfo(np.float64).tiny)
+    return times, values, relative_drift(values, abs(plan.cost) / span)
 
 
 MOST_NODES = 5000
