@@ -94,4 +94,6 @@ def _cause(result: Result) -> str:
         return f"refinement ended: {last.guess}: {last.outcome}, {last.note}"
     counts = Counter(a.outcome for a in result.attempts)
     told = ", ".join(f"{n} {what}" for what, n in counts.most_common())
+    if counts["solved"]:
+        return f"no answer of a guess was refined: {told}"
     return f"no guess led to an answer: {told or 'none ended in time'}"

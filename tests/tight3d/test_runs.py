@@ -10,6 +10,7 @@ from benchmarks.tight3d._families import made
 from benchmarks.tight3d._table import best_known, table
 
 import berthing as bt
+from berthing.result import Attempt, Result
 from support import synthetic
 
 
@@ -25,6 +26,10 @@ def _missed(seed):
         "family": "dock", "seed": seed, "effort": "normal", "outcome": "time_limit",
         "seconds": 30.0, "cause": "refinement ended: pair a|b",
     }  # fmt: skip
+
+
+def _late():
+    return Result("time_limit", None, None, (Attempt("straight", "solved", cost=1.0),))
 
 
 def test_table_compares_with_the_best_of_every_effort_and_the_witness():
@@ -72,12 +77,17 @@ def test_a_row_that_is_there_is_not_planned_again(tmp_path, monkeypatch, capsys)
             "no guess led to an answer: 1 locally_infeasible, 1 iteration_limit",
         ),
         (
+            lambda s, options: _late(),
+            "time_limit",
+            "no answer of a guess was refined: 1 solved",
+        ),
+        (
             lambda s, options: synthetic.not_certified(synthetic.scenario()),
             "not_certified",
             "plan not certified: clearance[a, b, t = 52 s] is short of 0.1 m by 0.08 m",
         ),
     ],
-    ids=["hangs", "raises", "fails", "is short"],
+    ids=["hangs", "raises", "fails", "is late", "is short"],
 )
 def test_a_miss_has_its_cause(monkeypatch, plan, outcome, cause):
     monkeypatch.setattr(bt, "plan", plan)
