@@ -9,7 +9,6 @@ from benchmarks.tight3d import _run
 from benchmarks.tight3d._families import made
 from benchmarks.tight3d._table import best_known, table
 
-import berthing as bt
 from berthing.result import Attempt, Result
 from support import synthetic
 
@@ -90,7 +89,7 @@ def test_a_row_that_is_there_is_not_planned_again(tmp_path, monkeypatch, capsys)
     ids=["hangs", "raises", "fails", "is late", "is short"],
 )
 def test_a_miss_has_its_cause(monkeypatch, plan, outcome, cause):
-    monkeypatch.setattr(bt, "plan", plan)
+    monkeypatch.setattr(_run, "plan", plan)
     monkeypatch.setattr(_run, "GRACE_S", 0.2 if outcome == "killed" else 20.0)
     row = _run.planned(made("dock", 0), "fast", 0.1)
     assert (row["outcome"], row["cause"]) == (outcome, cause)
@@ -98,7 +97,7 @@ def test_a_miss_has_its_cause(monkeypatch, plan, outcome, cause):
 
 
 def test_a_plan_has_its_cost_and_time(monkeypatch):
-    monkeypatch.setattr(bt, "plan", lambda s, options: synthetic.certified(synthetic.scenario()))
+    monkeypatch.setattr(_run, "plan", lambda s, options: synthetic.certified(synthetic.scenario()))
     row = _run.planned(made("dock", 0), "fast", 10.0)
     assert (row["outcome"], row["cost"]) == ("certified", 0.0089)
     assert "cause" not in row
