@@ -70,7 +70,8 @@ def plan_command(
     ] = None,
     seed: Annotated[int | None, typer.Option(help="Seed of the guesses.")] = None,
     guess: Annotated[
-        str | None, typer.Option(help="First trajectories: default or paper-continuation.")
+        str | None,
+        typer.Option(help="First trajectories: default, routes, paper-continuation."),
     ] = None,
     tolerance: Annotated[
         float | None,

@@ -126,8 +126,9 @@ class _Work:
         return list(dict.fromkeys(ref for ref, part in parts if part.planned_smaller))
 
     def is_done(self, best: Refinement | None) -> bool:
-        """Whether ``best`` is as good as another wave's, or time is up."""
-        if best is not None and (best.certified or (self.smaller and best.plan is not None)):
+        """Whether ``best`` will do, or time is up; a thorough search goes through all waves."""
+        certified = best is not None and best.certified and self.options.effort != "thorough"
+        if certified or (self.smaller and best is not None and best.plan is not None):
             return True
         return time.monotonic() > self.deadline
 

@@ -96,7 +96,7 @@ def test_an_unknown_guess_is_refused() -> None:
     whole, _ = among(scenario(puck()))
     with pytest.raises(InputError, match="one of default, paper-continuation"):
         first_motions("oracle", whole, 0)
-    assert set(GUESSES) == {"default", "paper-continuation"}
+    assert set(GUESSES) == {"default", "routes", "paper-continuation"}
 
 
 def attempts_of(given: Scenario, seed: int) -> tuple[Result, list[str]]:

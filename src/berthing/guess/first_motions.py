@@ -1,4 +1,4 @@
-"""Where the whole problem is begun from: our guesses, or the paper's continuation."""
+"""Where the whole problem is begun from: our guesses, ways looked for, the paper's continuation."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ from berthing.transcription.problem import Motion
 
 DRAWN_A_ROUTE = 2
 """Random guesses to one route, where simple guesses are blocked."""
+
+DEFAULT, ROUTES = "default", "routes"
 
 FirstMotions = list[tuple[str, Motion]]
 """Names and motions, in the order in which they are worth trying."""
@@ -41,12 +43,18 @@ def _along(whole: Continuation, guesses: Iterable[Guess]) -> FirstMotions:
     ]
 
 
+def _routes(whole: Continuation, seed: int, drawn: int) -> FirstMotions:
+    seconds = whole.budget.wall_time_s
+    return _along(whole, routed(whole.scenario, whole.phase, seed, drawn, seconds))
+
+
 def _continuation(whole: Continuation, seed: int, _: int) -> FirstMotions:
     return [("paper continuation", whole.motion(seed))]
 
 
 GUESSES: dict[str, Callable[[Continuation, int, int], FirstMotions]] = {
-    "default": _candidates,
+    DEFAULT: _candidates,
+    ROUTES: _routes,
     "paper-continuation": _continuation,
 }
 

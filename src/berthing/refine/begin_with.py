@@ -27,6 +27,9 @@ FIRST = {"kkt": "plane"}
 """What each form begins with; those not named begin with themselves."""
 
 
+FREED = 3
+"""Rounds without the guard: where these do not do, the passage needs it."""
+
 TURNS = 3
 """Times that the first form hands over its answer, before a candidate is given up."""
 
@@ -103,7 +106,9 @@ def _in_its_passage(refiner: Refiner, name: str, coarse: Problem, motion: Motion
         return begun
     if not begun.certified or begun.answer is None:
         return begun
-    freed = replace(refiner, guarded=False).follow(f"{name}, freed", begun.answer)
+    freed = replace(refiner, guarded=False).follow(
+        f"{name}, freed", begun.answer, FREED
+    )
     attempts = [*begun.attempts, *freed.attempts]
     better = freed if freed.certified and freed.cost < begun.cost else begun
     return replace(better, attempts=attempts)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from berthing.guess.continuation import Continuation
-from berthing.guess.first_motions import first_motions
+from berthing.guess.first_motions import DEFAULT, ROUTES, FirstMotions, first_motions
 from berthing.guess.nearby import ROOM, near_pairs
 from berthing.guess.normals import exact_normals
 from berthing.guess.search import EFFORTS, Search
@@ -45,14 +45,19 @@ class Wave:
         suffix: of the guesses' names.
         patient: whether IPOPT solves it, who gives up later than our own method, and neighbouring
             nodes share planes, so that no answer steps through a wall between them.
+        routed: whether its guesses are routes alone.
     """
 
-    suffix: str
-    patient: bool
+    suffix: str = ""
+    patient: bool = True
+    routed: bool = False
 
 
-WAVES = (Wave("", patient=False), Wave(", again", patient=True))
-"""The second is for what the first finds no certified plan for."""
+WAVES = (Wave(patient=False), Wave(routed=True), Wave(", again"))
+"""Each is for what those before it find no certified plan for."""
+
+PATIENT_ANSWERS = 2
+"""Enough of a patient wave, in which each takes many times as long."""
 
 
 @dataclass(frozen=True)
@@ -89,10 +94,13 @@ class Coarse:
     def first(self, wave: Wave) -> Round | None:
         """With rows for all that the first answers come near; None where the wave has nothing new
         for this form, which is IPOPT's from the start."""
+        if wave.routed and self.options.guess != DEFAULT:
+            return None
+        guessed = self._guessed(wave)
         also: set[int] = set()
         slow = False
         while True:
-            found = self._round(wave, also, slow)
+            found = self._round(wave, guessed, also, slow)
             if found is None:
                 return None
             try:
@@ -109,7 +117,23 @@ class Coarse:
             found.search.pool.close()
             also, slow = known | near, slow or fast
 
-    def _round(self, wave: Wave, also: set[int], slow: bool) -> Round | None:
+    def _guessed(self, wave: Wave) -> FirstMotions:
+        first = beginning(self.options.formulation, self.scenario.pairs(self.phase))
+        whole = Continuation(
+            self.scenario, self.phase, self.mesh, first.formulation, self._budget(wave), BACKOFF_M,
+            self.note, first.shapes_of,
+        )  # fmt: skip
+        guess = ROUTES if wave.routed else self.options.guess
+        drawn = EFFORTS[self.options.effort].drawn
+        return first_motions(guess, whole, self.options.seed, drawn)
+
+    def _budget(self, wave: Wave) -> Budget:
+        iterations = PATIENT_ITERATIONS if wave.patient else COARSE_ITERATIONS
+        return Budget(iterations, max(min(self.deadline - time.monotonic(), 1e6), 0.0))
+
+    def _round(
+        self, wave: Wave, guessed: FirstMotions, also: set[int], slow: bool
+    ) -> Round | None:
         """The coarse problem and its guesses, ready to be solved.
 
         Its rows are for the pairs that a guess comes near, and for those of ``also``.
@@ -117,29 +141,26 @@ class Coarse:
         scenario, mesh = self.scenario, self.mesh
         phase = resolved(scenario, self.phase, mesh) if slow else self.phase
         effort, pairs = EFFORTS[self.options.effort], scenario.pairs(phase)
+        if wave.patient and effort.answers < float("inf"):
+            effort = replace(effort, answers=min(effort.answers, PATIENT_ANSWERS))
         first = beginning(self.options.formulation, pairs)
-        iterations = PATIENT_ITERATIONS if wave.patient else COARSE_ITERATIONS
-        budget = Budget(iterations, max(min(self.deadline - time.monotonic(), 1e6), 0.0))
-        whole = Continuation(
-            scenario, phase, mesh, first.formulation, budget, BACKOFF_M, self.note, first.shapes_of
-        )
-        motions = first_motions(self.options.guess, whole, self.options.seed, effort.drawn)
         length_m = phase_scale(scenario, phase).length_m
-        guessed = [motion for _, motion in motions]
-        near = also | near_pairs(scenario, pairs, mesh, guessed, ROOM * length_m)
+        motions = [motion for _, motion in guessed]
+        near = also | near_pairs(scenario, pairs, mesh, motions, ROOM * length_m)
         problem = build(
             scenario, phase, mesh,
             [site for site in node_sites(mesh, len(pairs)) if site.pair in near],
             first.formulation, shapes_of=first.shapes_of,
             sweep_within=longest_step(mesh) if wave.patient else 0.0,
         )  # fmt: skip
+        budget = self._budget(wave)
         solver = QuickSolver(problem, "cold", budget, COARSE_TOLERANCE, falls_back=False)
-        if wave.patient and not solver.quick:
+        if not motions or (wave.patient and not solver.quick):
             return None
         normals = exact_normals(pairs)
-        starts = [Start(motion, normals, patient=wave.patient) for motion in guessed]
+        starts = [Start(motion, normals, patient=wave.patient) for motion in motions]
         search = Search(
-            [f"{name}{wave.suffix}" for name, _ in motions],
+            [f"{name}{wave.suffix}" for name, _ in guessed],
             SolvePool(solver, scenario, starts, BACKOFF_M), effort, phase, length_m,
             lambda name, outcome: self.note(name, problem, outcome), self.deadline,
         )  # fmt: skip

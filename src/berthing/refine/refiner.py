@@ -162,22 +162,22 @@ class Refiner:
             self.verify(result, step)
         return result
 
-    def follow(self, name: str, answer: Answer) -> Refinement:
-        """Refine the answer of another formulation: on its mesh, at its sites, from its point."""
+    def follow(self, name: str, answer: Answer, rounds: int = ROUNDS) -> Refinement:
+        """Refine an answer come by otherwise: on its mesh, at its sites, from its point."""
         problem, motion = answer.problem, answer.outcome.motion
         node_s = motion.duration_s / problem.mesh.control_count
         sites = list(problem.separation.sites)
         around = SPACING * SHRINK * node_s, REACH * node_s
-        return self._rounds(name, problem.mesh, sites, motion, around, answer)
+        return self._rounds(name, problem.mesh, sites, motion, around, answer, rounds)
 
     def _rounds(
         self, name: str, mesh: Mesh, sites: list[Site], motion: Motion,
-        around_s: tuple[float, float], previous: Answer | None,
+        around_s: tuple[float, float], previous: Answer | None, rounds: int = ROUNDS,
     ) -> Refinement:  # fmt: skip
         """Solve, sample, add sites ``around_s`` (spacing, reach) dips, until certified."""
         result = Refinement()
         spacing, reach = around_s
-        for round_ in range(ROUNDS):
+        for round_ in range(rounds):
             problem = self._build(mesh, sites)
             label = f"{name}, round {round_ + 1}"
             step = self.step(label, problem, motion, previous, result.attempts)

@@ -22,7 +22,8 @@ class SolverOptions:
         nodes: collocation nodes; None leaves the number to the planner.
         time_limit_s: wall time allowed; None for no limit.
         seed: of the guesses.
-        guess: where first trajectories come from, ``default`` or ``paper-continuation``.
+        guess: where first trajectories come from, ``default``, ``routes`` or
+            ``paper-continuation``.
         controls: what flies between samples of the controls, one of ``CONTROLS``.
         sample_time_s: between them, where they are piecewise.
         tolerance: drift of the lower Hamiltonian, relative to its mean, down to which the mesh is
