@@ -15,6 +15,7 @@ from benchmarks._distance_sets import PAIRS
 from berthing.clearance.placed_distance import distance
 from berthing.geometry.capability import HasVertices
 from berthing.geometry.convex_set import ConvexSet, norm
+from berthing.geometry.intersection import Intersection
 from berthing.geometry.pose import Pose
 
 # Of differences (m, rad), beside the usual one.
@@ -118,13 +119,17 @@ def _errors(errors: list[float], pairs: int) -> dict[str, Any]:
     }
 
 
-def gradients(total: int, seed: int = 5) -> dict[str, Any]:
+def gradients(total: int, of_intersections: bool, seed: int = 5) -> dict[str, Any]:
     """Against central differences of fourth order, the better of two steps: values of intersections
     are too rough for the shorter, and the longer is too long near sharp edges. A wrong gradient
-    would match neither. Poses at a kink are counted apart."""
-    rng, each, errors, kinks = np.random.default_rng(seed), -(-total // len(PAIRS)), [], 0
+    would match neither. Poses at a kink are counted apart, as are pairs with an intersection."""
+    pairs = [
+        pair for pair in PAIRS
+        if of_intersections == any(isinstance(pair[k], Intersection) for k in (1, 3))
+    ]  # fmt: skip
+    rng, each, errors, kinks = np.random.default_rng(seed), -(-total // len(pairs)), [], 0
     worst = ("", 0.0)
-    for first, a, second, b in PAIRS:
+    for first, a, second, b in pairs:
         poses = random_poses(rng, a, b, each)
         found = distance(a, b, poses)
         given = np.concatenate([found.gradient_a, found.gradient_b], axis=-1)
@@ -140,7 +145,7 @@ def gradients(total: int, seed: int = 5) -> dict[str, Any]:
     all_errors = np.concatenate(errors)
     return {
         "poses": len(all_errors),
-        "pairs": len(PAIRS),
+        "pairs": len(pairs),
         "at_kinks": kinks,
         "largest_relative_error": worst[1],
         "of_the_pair": worst[0],

@@ -32,7 +32,11 @@ PARTS: dict[str, tuple[str, Callable[[int, int], dict[str, Any]]]] = {
     "conic": ("against a conic solver (Clarabel)", lambda n, _: against_conic(n // 100)),
     "nlp": ("against an NLP solver (SLSQP)", lambda n, _: against_nlp(n // 100)),
     "hulls": ("depths against hulls (Qhull)", lambda n, _: against_hulls(n // 1000)),
-    "gradients": ("gradients against differences", lambda n, _: gradients(n // 100)),
+    "gradients": ("gradients against differences", lambda n, _: gradients(n // 100, False)),
+    "cut": (
+        "gradients against differences, one set an intersection",
+        lambda n, _: gradients(n // 1000, True),
+    ),
     "speed": ("speed", lambda n, repeats: speed(max(n // 10, 100), repeats)),
 }
 

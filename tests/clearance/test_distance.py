@@ -346,3 +346,20 @@ def test_an_intersection_of_too_many_rows_is_answered_all_the_same(
     assert set_numbers(large) is None
     assert bt.distance(large, CUBE, where).distance == pytest.approx(fast.distance, abs=BRACKET)
     assert fast.distance == pytest.approx(1.0, abs=BRACKET)
+
+
+def test_answers_do_not_depend_on_the_poses_before() -> None:
+    # From another pose's points Newton may end where needles apart look as if they overlapped.
+    needle, rng = bt.Ellipsoid([3.0, 0.1, 0.1]), np.random.default_rng(0)
+
+    def drawn() -> tuple[np.ndarray, np.ndarray]:
+        turns = quaternion.rotation_matrix(rng.normal(size=(500, 4)))
+        return rng.uniform(-4.0, 4.0, (500, 3)), turns
+
+    (r_a, R_a), (r_b, R_b) = drawn(), drawn()
+    forth = bt.distance(needle, needle, (bt.Pose(r_a, R_a), bt.Pose(r_b, R_b)))
+    back = bt.distance(
+        needle, needle, (bt.Pose(r_a[::-1], R_a[::-1]), bt.Pose(r_b[::-1], R_b[::-1]))
+    )  # fmt: skip
+    np.testing.assert_allclose(forth.distance, back.distance[::-1], rtol=0, atol=DEPTH)
+    np.testing.assert_allclose(forth.upper_bound, back.upper_bound[::-1], rtol=0, atol=DEPTH)
