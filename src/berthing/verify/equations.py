@@ -9,8 +9,9 @@ M_t ν̇ + l(ν) = q + q^m, with l(ν) corrected by −ω^× c^× ω in its firs
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
+from typing import Any
 from itertools import combinations_with_replacement
 
 import numpy as np
@@ -90,7 +91,7 @@ def _rigid_body(model: RigidBody) -> Derivative:
 
     def rates(t: float, x: Array, u: Array) -> Array:
         velocity, q, rate = x[3:6], x[6:10], x[10:13]
-        rotation = _rotation(q)
+        rotation = _rotation(q.tolist())
         nu = np.concatenate([velocity @ rotation, rate])
         nu_dot = inverse @ (u + wrench(t) - (load @ nu) @ nu)
         # v_I = R v_B, so v̇_I = R (v̇_B + ω × v_B).
@@ -107,7 +108,7 @@ def _rigid_bodies(model: RigidBody) -> Derivatives:
 
     def rates(t: Array, x: Array, u: Array) -> Array:
         velocity, q, rate = x[:, 3:6], x[:, 6:10], x[:, 10:13]
-        rotation = np.moveaxis(_rotation_rows(q), -1, 0)
+        rotation = np.moveaxis(_rotation(q.T), -1, 0)
         nu = np.hstack([np.einsum("kj,kji->ki", velocity, rotation), rate])
         outer = np.array([wrench(float(at)) for at in t]) if model.wrenches else 0.0
         nu_dot = (u + outer - np.einsum("aij,ki,kj->ka", load, nu, nu)) @ inverse.T
@@ -124,20 +125,6 @@ def _rigid_bodies(model: RigidBody) -> Derivatives:
 
 def _point_masses(model: PointMass) -> Derivatives:
     return lambda t, x, u: np.hstack([x[:, model.dim :], u / model.mass_kg])
-
-
-def _rotation_rows(q: Array) -> Array:
-    """R(q/|q|) (3, 3, k) of quaternions (k, 4)."""
-    w, x, y, z = q.T
-    s = 2.0 / (w * w + x * x + y * y + z * z)
-    return np.array(
-        [
-            [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
-            [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
-            [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
-        ],
-        dtype=np.float64,
-    )
 
 
 def mass_matrix(model: RigidBody) -> Array:
@@ -196,9 +183,12 @@ def _interpolate(t: float, times: Array, rows: Array) -> Array:
     return np.asarray((1.0 - s) * rows[after - 1] + s * rows[after])
 
 
-def _rotation(q: Array) -> Array:
-    """R(q/|q|) (3, 3) of one quaternion; R = 1 + (2/|q|²)(w ε^× + ε^× ε^×)."""
-    w, x, y, z = q.tolist()
+def _rotation(components: Iterable[Any]) -> Array:
+    """R(q/|q|) (3, 3) of a quaternion's components, (3, 3, k) of k quaternions'.
+
+    R = 1 + (2/|q|²)(w ε^× + ε^× ε^×). Plain numbers are faster than arrays of one.
+    """
+    w, x, y, z = components
     s = 2.0 / (w * w + x * x + y * y + z * z)
     return np.array(
         [
