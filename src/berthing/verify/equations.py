@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import lru_cache
-from typing import Any
 from itertools import combinations_with_replacement
+from typing import Any
 
 import numpy as np
 
