@@ -20,6 +20,7 @@ from berthing.geometry.pose import Pose
 
 # Of differences (m, rad), beside the usual one.
 LONG_STEP = 2e-4
+SHORT_STEP = 1e-6
 # One-sided slopes that differ by more than this (m per m or rad) mark a kink of the distance.
 KINK = 1e-2
 
@@ -120,9 +121,10 @@ def _errors(errors: list[float], pairs: int) -> dict[str, Any]:
 
 
 def gradients(total: int, of_intersections: bool, seed: int = 5) -> dict[str, Any]:
-    """Against central differences of fourth order, the better of two steps: values of intersections
-    are too rough for the shorter, and the longer is too long near sharp edges. A wrong gradient
-    would match neither. Poses at a kink are counted apart, as are pairs with an intersection."""
+    """Against central differences of fourth order, the best of three steps: values of intersections
+    are too rough for the shorter ones, and the longer are too long near sharp edges and for points
+    a tenth of a millimetre apart. A wrong gradient would match none. Poses at a kink are
+    counted apart, as are pairs with an intersection."""
     pairs = [
         pair for pair in PAIRS
         if of_intersections == any(isinstance(pair[k], Intersection) for k in (1, 3))
@@ -136,8 +138,8 @@ def gradients(total: int, of_intersections: bool, seed: int = 5) -> dict[str, An
         expected, bend = differences(a, poses[0], b, poses[1])
         smooth = bend < KINK
         kinks += int(np.sum(~smooth))
-        further = differences(a, poses[0], b, poses[1], LONG_STEP)[0]
-        off = np.minimum(norm(given - expected), norm(given - further))
+        others = [differences(a, poses[0], b, poses[1], h)[0] for h in (LONG_STEP, SHORT_STEP)]
+        off = np.min([norm(given - values) for values in (expected, *others)], axis=0)
         relative = off / np.maximum(norm(given), 1.0)
         errors.append(relative[smooth])
         if smooth.any() and np.max(relative[smooth]) > worst[1]:

@@ -1,6 +1,7 @@
 /* The signed distance of one pair at one pose. */
 #ifndef PAIR_H
 #define PAIR_H
+#include "ascend.h"
 #include "expanding_plane.h"
 #include "newton.h"
 
@@ -71,49 +72,6 @@ static Answer settle(Path *path, Answer start)
     return best;
 }
 
-static V across_of(V y, V n) { return plus(y, -dot(y, n), n); }
-
-/* At a normal near which both supports are smooth, the lowest member y of B - A lies along it: Newton
-   on the part of y across n, by differences over two tangents. Near an axis the bound hardly tells
-   one normal from the next, and this part does. */
-static Answer ascend(Path *path, Answer start)
-{
-    Pair *pair = &path->pair;
-    const double h = 1e-6;
-    V n = start.normal, s[2];
-    double bound, other;
-    Vertex v = lowest(pair, n, &bound);
-    V off = across_of(v.y, n);
-    for (int i = 0; i < 8 && length(off) > 1e-13 * pair->size; i++) {
-        double J[2][2];
-        tangents(n, 3, &s[0], &s[1]);
-        for (int k = 0; k < 2; k++) {
-            V up = unit_or(plus(n, h, s[k]), n), down = unit_or(plus(n, -h, s[k]), n);
-            V high = across_of(lowest(pair, up, &other).y, up);
-            V bend = mul(0.5 / h, sub(high, across_of(lowest(pair, down, &other).y, down)));
-            J[0][k] = dot(s[0], bend);
-            J[1][k] = dot(s[1], bend);
-        }
-        double p = dot(s[0], off), q = dot(s[1], off), det = J[0][0] * J[1][1] - J[0][1] * J[1][0];
-        double a = (J[0][1] * q - J[1][1] * p) / det, b = (J[1][0] * p - J[0][0] * q) / det;
-        if (!(a * a + b * b <= 0.01)) break;
-        V m = unit_or(plus(plus(n, a, s[0]), b, s[1]), n);
-        Vertex lower = lowest(pair, m, &other);
-        V left = across_of(lower.y, m);
-        if (!(length(left) <= 0.5 * length(off)) || other < bound - 1e3 * pair->noise) break;
-        n = m;
-        v = lower;
-        off = left;
-        bound = other;
-    }
-    if (length(off) > 1e-9 * pair->size || bound < start.lower - path->tolerance) return start;
-    start.normal = n;
-    start.lower = bound;
-    start.a = v.a;
-    start.b = v.b;
-    return start;
-}
-
 static int half_space(const Pair *pair, Answer *answer)
 {
     const Shape *wall = pair->a.kind == HALF_SPACE ? &pair->a : &pair->b;
@@ -157,7 +115,8 @@ static Answer overlapping(Path *path, Answer known)
             }
         }
         best = settle(path, best);
-        if (pair->dim == 3) best = ascend(path, best);
+        if (pair->dim == 3)
+            ascend(pair, path->tolerance, &best.normal, &best.lower, &best.a, &best.b);
     }
     best.upper = larger(depth.upper, best.lower);
     best.overlap = 1;
