@@ -5,7 +5,7 @@ import numpy as np
 import berthing as bt
 from berthing.clearance.separation import separation
 
-# Slack for 10 s: the bar's tip off by 0.06 m (20 % of its spin), 0.006 m measured wrong, 0.01 m pushed.
+# Slack for 10 s: the bar's tip off by 0.06 m (a fifth of its spin), 6 mm measured, 0.01 m pushed.
 KEEP_M, SLACK_M, PERIOD_S, END_S, STEP_S = 0.1, 0.08, 10.0, 100.0, 0.25
 PUCK, BAR = bt.Sphere(0.4, dim=2), bt.Box(np.array([1.5, 0.25]))
 
