@@ -131,8 +131,10 @@ def test_where_no_sub_problem_has_an_answer_the_failure_says_so() -> None:
     assert result.plan is None
     assert result.outcome in (ITERATION_LIMIT, LOCALLY_INFEASIBLE)
     assert result.advice
-    assert names.count("only low.core, bowed") == AGAIN
     assert names[-1].startswith("paper continuation")
-    failed = [attempt for attempt in result.attempts if attempt.outcome != "solved"]
-    assert len(failed) == len(names) - 1
+    # A second, more patient round of all of it follows the first.
+    first = result.attempts[: names.index("paper continuation") + 1]
+    assert [attempt.guess for attempt in first].count("only low.core, bowed") == AGAIN
+    failed = [attempt for attempt in first if attempt.outcome != "solved"]
+    assert len(failed) == len(first) - 1
     assert all("low.core" in attempt.note for attempt in failed)
