@@ -97,6 +97,7 @@ def test_a_shape_of_no_size_is_one_clear_error(run, tmp_path):
     assert len(done.stderr.strip().splitlines()) <= 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["spinning-structure", "point-mass-2d"])
 def test_figures_are_drawn_on_demand(run, tmp_path, name):
     done = run("route", name, "--figures", "--out", "drawn")

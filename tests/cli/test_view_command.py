@@ -1,5 +1,7 @@
 import json
+import shutil
 import webbrowser
+from pathlib import Path
 
 import pytest
 
@@ -8,16 +10,19 @@ from berthing.scenario.files import load
 from support import synthetic
 
 
+@pytest.fixture(scope="module")
+def template(tmp_path_factory):
+    """The folder of a plan made by hand; not to be changed."""
+    scenario = load("scenario-a")
+    place = tmp_path_factory.mktemp("template") / "plan"
+    write_result(scenario, synthetic.certified(scenario), scenario.solver, place)
+    return place
+
+
 @pytest.fixture
-def folder(tmp_path):
-    """Writes the folder of a plan made by hand."""
-
-    def write(name):
-        scenario = load("scenario-a")
-        write_result(scenario, synthetic.certified(scenario), scenario.solver, tmp_path / name)
-        return tmp_path / name
-
-    return write
+def folder(template, tmp_path):
+    """Puts a copy of it at a name."""
+    return lambda name: Path(shutil.copytree(template, tmp_path / name))
 
 
 def test_a_folder_gets_its_page_anew(run, folder):
@@ -33,6 +38,7 @@ def test_a_folder_gets_its_page_anew(run, folder):
     assert run("view", "one", "--no-open").exit_code == 0
 
 
+@pytest.mark.slow
 def test_several_folders_are_compared_in_one_page(run, folder, tmp_path):
     folder("one")
     folder("two")

@@ -36,6 +36,7 @@ def found() -> Comparison:
     return compare(gap(), names, guesses=1)
 
 
+@pytest.mark.slow
 def test_the_exact_forms_find_the_way_and_agree(found):
     exact = {s.formulation: s for s in found.summaries()[:2]}
     assert [s.solved for s in exact.values()] == [1, 1]
@@ -47,6 +48,7 @@ def test_the_exact_forms_find_the_way_and_agree(found):
         assert summary.spare_between_m <= summary.spare_nodes_m
 
 
+@pytest.mark.slow
 def test_steps_with_the_distance_linearised_find_it_too(found):
     (trial,) = [t for t in found.trials if t.formulation == "signed-distance-sequential"]
     assert trial.status == "solved"
@@ -54,6 +56,7 @@ def test_steps_with_the_distance_linearised_find_it_too(found):
     assert trial.cost == pytest.approx(12.0 * 4.0 * 64.01 / documents.DURATION_S**3, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_balls_and_ellipsoids_find_none(found):
     for summary in found.summaries()[2:4]:
         assert (summary.solved, summary.trials, summary.cost) == (0, 1, None)

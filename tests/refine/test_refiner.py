@@ -10,6 +10,7 @@ from berthing.solve import ipopt, quick
 from support.documents import box, puck, scenario, structure
 
 
+@pytest.mark.slow
 def test_a_round_that_fails_is_tried_again_with_a_high_barrier(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -57,6 +57,7 @@ def boxed_in():
     return hand_made.scenario([hand_made.vehicle(bt.Sphere(0.2), goal=goal)], [wall])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["scenario-b-tight", "two-vehicles-swap"])
 def test_a_route_keeps_the_margin_all_the_way(name):
     whole = bt.load(name)
@@ -102,6 +103,7 @@ def test_the_same_seed_gives_the_same_route_and_another_another(tight):
     assert one.shape != other.shape or not np.allclose(one, other)
 
 
+@pytest.mark.slow
 def test_ways_that_differ_pass_on_other_sides():
     whole = bt.load("scenario-a")
     found = route(whole, seed=0, classes=2)
@@ -124,6 +126,7 @@ def test_where_there_is_one_way_only_one_is_found():
     assert {own.found for own in found.searches} == {"way", "known"}
 
 
+@pytest.mark.slow
 def test_what_cannot_be_left_has_no_route(monkeypatch):
     monkeypatch.setattr(routing, "LADDER", ((0, 1.0, 10), (1, 0.5, 10)))
     found = route(boxed_in())

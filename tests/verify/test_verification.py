@@ -196,6 +196,7 @@ def test_a_plan_of_something_else_is_bad_input(make, change) -> None:
         verify(whole, replace(made, phases=()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [1e11, -1e11])
 def test_absurd_numbers_end_in_no_certificate(make, size: float) -> None:
     whole, made = make.document_plan()
