@@ -1,13 +1,24 @@
-"""What benchmarks over cases and seeds share: their options, and rows that are printed and kept."""
+"""What benchmarks over cases share: options, rows that are printed and kept, timed commands."""
 
 from __future__ import annotations
 
 import argparse
 import json
+import subprocess
+import sys
+import time
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 Rows = Callable[[str, int], Iterable[Iterable[dict]]]
+
+
+def commanded(words: Sequence[str], folder: Path) -> tuple[int, float]:
+    """Exit code and seconds of ``berthing WORDS --out FOLDER`` as a process of its own."""
+    command = [sys.executable, "-m", "berthing", *words, "--out", str(folder)]
+    began = time.perf_counter()
+    done = subprocess.run(command, capture_output=True, check=False)
+    return done.returncode, time.perf_counter() - began
 
 
 def run(

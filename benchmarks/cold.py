@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 from statistics import median
 
 import berthing as bt
+from benchmarks._by_case import commanded
 from berthing.guess.candidates import candidates
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import motion_along
@@ -48,13 +47,8 @@ def inside(seed: int) -> dict:
 def whole(seed: int) -> dict:
     """One plan as a process of its own."""
     with tempfile.TemporaryDirectory() as scratch:
-        command = [sys.executable, "-m", "berthing", "plan", CASE, "--seed", str(seed)]
-        began = time.perf_counter()
-        done = subprocess.run(
-            [*command, "--out", f"{scratch}/plan"], capture_output=True, check=False
-        )
-        seconds = time.perf_counter() - began
-    return {"kind": "whole process", "seed": seed, "exit": done.returncode,
+        code, seconds = commanded(["plan", CASE, "--seed", str(seed)], Path(scratch, "plan"))
+    return {"kind": "whole process", "seed": seed, "exit": code,
             "seconds": round(seconds, 3)}  # fmt: skip
 
 

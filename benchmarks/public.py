@@ -7,11 +7,10 @@ from __future__ import annotations
 
 import argparse
 import json
-import subprocess
-import sys
 import tempfile
-import time
 from pathlib import Path
+
+from benchmarks._by_case import commanded
 
 CASES = ("parking-backwards", "parking-parallel", "quadcopter-room", "piano-mover")
 
@@ -20,12 +19,9 @@ def run(name: str) -> dict:
     """Plan one case and read what came out."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "plan"
-        command = [sys.executable, "-m", "berthing", "plan", name, "--out", str(folder)]
-        began = time.perf_counter()
-        done = subprocess.run(command, capture_output=True, check=False)
-        row = {"case": name, "exit": done.returncode,
-               "seconds": round(time.perf_counter() - began, 1)}  # fmt: skip
-        if done.returncode == 0:
+        code, seconds = commanded(["plan", name], folder)
+        row = {"case": name, "exit": code, "seconds": round(seconds, 1)}
+        if code == 0:
             document = json.loads((folder / "plan.json").read_text())
             found = document["verification"]
             row |= {

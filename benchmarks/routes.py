@@ -8,15 +8,14 @@ from __future__ import annotations
 
 import argparse
 import json
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 from statistics import median
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
+from benchmarks._by_case import commanded
 from support import outside
 
 CASE = "scenario-b-tight"
@@ -33,12 +32,9 @@ def run(name: str, seed: int) -> dict:
     """Find one route and look at what came out."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "route"
-        command = [sys.executable, "-m", "berthing", "route", name, "--seed", str(seed)]
-        began = time.perf_counter()
-        done = subprocess.run([*command, "--out", str(folder)], capture_output=True, check=False)
-        seconds = time.perf_counter() - began
-        row = {"case": name, "seed": seed, "exit": done.returncode, "seconds": round(seconds, 2)}
-        if done.returncode == 0:
+        code, seconds = commanded(["route", name, "--seed", str(seed)], folder)
+        row = {"case": name, "seed": seed, "exit": code, "seconds": round(seconds, 2)}
+        if code == 0:
             document = json.loads((folder / "route.json").read_text())
             (own,) = document["routes"]
             row |= {

@@ -8,17 +8,15 @@ from __future__ import annotations
 
 import json
 import math
-import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
-from benchmarks._by_case import run
+from benchmarks._by_case import commanded, run
 from support import outside
 
 CASES = ("scenario-a", "scenario-b", "scenario-b-tight")
@@ -29,11 +27,8 @@ def planned(name: str, seed: int) -> dict:
     """Plan one case and look at what came out."""
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "plan"
-        command = [sys.executable, "-m", "berthing", "plan", name, "--seed", str(seed)]
-        began = time.perf_counter()
-        done = subprocess.run([*command, "--out", str(folder)], capture_output=True, check=False)
-        seconds = time.perf_counter() - began
-        row = {"case": name, "seed": seed, "exit": done.returncode, "seconds": round(seconds, 2)}
+        code, seconds = commanded(["plan", name, "--seed", str(seed)], folder)
+        row = {"case": name, "seed": seed, "exit": code, "seconds": round(seconds, 2)}
         if (folder / "plan.json").exists():
             document = json.loads((folder / "plan.json").read_text())
             found = document["verification"]

@@ -20,6 +20,15 @@ app = typer.Typer(
     rich_markup_mode="markdown",
 )
 
+ScenarioName = Annotated[
+    str,
+    typer.Argument(
+        help="A case that ships, or a YAML or JSON file.", autocompletion=completion.scenarios
+    ),
+]
+TimeLimit = Annotated[
+    float | None, typer.Option(metavar="S", help="Wall time allowed, in seconds.")
+]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON on standard output, only that.")]
 
 
@@ -50,12 +59,7 @@ def berthing(
 
 @app.command("plan")
 def plan_command(
-    scenario: Annotated[
-        str,
-        typer.Argument(
-            help="A case that ships, or a YAML or JSON file.", autocompletion=completion.scenarios
-        ),
-    ],
+    scenario: ScenarioName,
     formulation: Annotated[
         str | None, typer.Option(help="How separation is written, e.g. plane.")
     ] = None,
@@ -65,9 +69,7 @@ def plan_command(
         Path | None, typer.Option(help="The plan folder; plans/NAME of the scenario if not given.")
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace an older plan folder.")] = False,
-    time_limit: Annotated[
-        float | None, typer.Option(metavar="S", help="Wall time allowed, in seconds.")
-    ] = None,
+    time_limit: TimeLimit = None,
     seed: Annotated[int | None, typer.Option(help="Seed of the guesses.")] = None,
     guess: Annotated[
         str | None,
@@ -128,12 +130,7 @@ def plan_command(
 
 @app.command("route")
 def route_command(
-    scenario: Annotated[
-        str,
-        typer.Argument(
-            help="A case that ships, or a YAML or JSON file.", autocompletion=completion.scenarios
-        ),
-    ],
+    scenario: ScenarioName,
     seed: Annotated[int, typer.Option(min=0, help="Seed of what is drawn.")] = 0,
     classes: Annotated[
         int, typer.Option(metavar="N", help="How many ways that cannot be swept into each other.")
@@ -142,9 +139,7 @@ def route_command(
         Path | None, typer.Option(help="The folder; routes/NAME of the scenario if not given.")
     ] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace an older folder.")] = False,
-    time_limit: Annotated[
-        float | None, typer.Option(metavar="S", help="Wall time allowed, in seconds.")
-    ] = None,
+    time_limit: TimeLimit = None,
     figures: Annotated[
         bool, typer.Option("--figures", help="Draw each route, as figures/route-N.png.")
     ] = False,

@@ -18,27 +18,19 @@ from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import build
 from berthing.transcription.sites import node_sites
 from support.documents import box, puck, scenario, structure
-from support.solving import start_of
+from support.solving import programme, start_of
 
 
-def programme(f, g) -> dict[str, Any]:
-    """f(x, y) and rows g(x, y) with the functions of their derivatives."""
-    x, p = ca.MX.sym("x", 2), ca.MX.sym("p", 1)
-    value, rows = f(x[0], x[1]), ca.vertcat(*g(x[0], x[1])) if g else ca.MX(0, 1)
-    lam_f, lam_g = ca.MX.sym("lam_f"), ca.MX.sym("lam_g", rows.numel())
-    hessian = ca.triu(ca.hessian(lam_f * value + ca.dot(lam_g, rows), x)[0])
-    return {
-        "x": x, "p": p, "f": value, "g": rows,
-        "grad_f": ca.Function("grad_f", [x, p], [value, ca.gradient(value, x)]),
-        "jac_g": ca.Function("jac_g", [x, p], [rows, ca.jacobian(rows, x)]),
-        "hess_lag": ca.Function("hess_lag", [x, p, lam_f, lam_g], [hessian]),
-    }  # fmt: skip
+def of_two(f, g) -> dict[str, Any]:
+    """f(x, y) and rows g(x, y)."""
+    x = ca.MX.sym("x", 2)
+    return programme(x, f(x[0], x[1]), ca.vertcat(*g(x[0], x[1])) if g else ca.MX(0, 1))
 
 
 def found(f, g, bounds, at, y):
     lower, upper = (np.array(b, dtype=float) for b in bounds)
     return curvatures(
-        Evaluation(programme(f, g)), Bounds.of(lower, upper), np.array(at, dtype=float),
+        Evaluation(of_two(f, g)), Bounds.of(lower, upper), np.array(at, dtype=float),
         np.array(y, dtype=float), lambda corner: ([], []),
     )  # fmt: skip
 

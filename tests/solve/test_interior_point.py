@@ -22,21 +22,10 @@ from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Problem, build
 from berthing.transcription.sites import node_sites
 from support.documents import puck, scenario, structure
-from support.solving import BACKOFF_M, posed, start_of
+from support.solving import BACKOFF_M, posed, programme, start_of
 
 POST = structure("post", [3, 0.1], {"type": "sphere", "radius_m": 0.6})
 GIVEN = scenario(puck(), structures=[POST])
-
-
-def programme(x: Any, f: Any, g: Any) -> dict[str, Any]:
-    p, lam_f, lam_g = ca.MX.sym("p", 0), ca.MX.sym("lam_f"), ca.MX.sym("lam_g", g.numel())
-    hessian = ca.triu(ca.hessian(lam_f * f + ca.dot(lam_g, g), x)[0])
-    return {
-        "x": x, "p": p, "f": f, "g": g,
-        "grad_f": ca.Function("grad_f", [x, p], [f, ca.gradient(f, x)]),
-        "jac_g": ca.Function("jac_g", [x, p], [g, ca.jacobian(g, x)]),
-        "hess_lag": ca.Function("hess_lag", [x, p, lam_f, lam_g], [hessian]),
-    }  # fmt: skip
 
 
 def solve(

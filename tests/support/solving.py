@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
 
 from berthing.guess.candidates import candidates
 from berthing.guess.normals import exact_normals
@@ -76,3 +79,15 @@ def solved(
     solver = Solver.build(problem, "cold", Budget(iterations))
     outcome = solver.solve(scenario, start_of(problem, guess), backoff_m=BACKOFF_M)
     return Solved(problem, outcome)
+
+
+def programme(x: Any, f: Any, g: Any) -> dict[str, Any]:
+    """f(x) and rows g(x) of casadi's, with the functions of their derivatives."""
+    p, lam_f, lam_g = ca.MX.sym("p", 0), ca.MX.sym("lam_f"), ca.MX.sym("lam_g", g.numel())
+    hessian = ca.triu(ca.hessian(lam_f * f + ca.dot(lam_g, g), x)[0])
+    return {
+        "x": x, "p": p, "f": f, "g": g,
+        "grad_f": ca.Function("grad_f", [x, p], [f, ca.gradient(f, x)]),
+        "jac_g": ca.Function("jac_g", [x, p], [g, ca.jacobian(g, x)]),
+        "hess_lag": ca.Function("hess_lag", [x, p, lam_f, lam_g], [hessian]),
+    }  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from berthing.clearance.kernel import kernel
+from berthing.clearance.kernel import BY_A, BY_B, DISTANCE, WIDTH, kernel
 from berthing.clearance.queried_distance import queried_distance
 from berthing.clearance.set_numbers import CONIC, set_numbers
 from berthing.clearance.signed_distance import SignedDistance
@@ -23,8 +23,6 @@ CONIC_TOLERANCE = 1e-9
 # Bounds of sets apart that stay further from each other than so many tolerances are improved on by
 # slower methods; none of 300,000 random pairs of all shapes was.
 WIDE = 5.0
-# Columns of native/kernel.c.
-WIDTH = 24
 
 
 def takes(a: ConvexSet, b: ConvexSet) -> bool:
@@ -110,19 +108,19 @@ def _answers(rows: Array, dim: int) -> SignedDistance:
     axes = slice(0, dim)
     turns = slice(5, 6) if dim == 2 else slice(3, 6)
 
-    def gradient(start: int) -> Array:
-        columns = rows[..., start : start + 6]
+    def gradient(pose: slice) -> Array:
+        columns = rows[..., pose]
         if dim == 3:
             return columns
         return np.concatenate([columns[..., axes], columns[..., turns]], axis=-1)
 
     return SignedDistance(
-        distance=rows[..., 2],
+        distance=rows[..., DISTANCE],
         normal=rows[..., 3:6][..., axes],
         point_a=rows[..., 6:9][..., axes],
         point_b=rows[..., 9:12][..., axes],
         lower_bound=rows[..., 0],
         upper_bound=rows[..., 1],
-        gradient_a=gradient(12),
-        gradient_b=gradient(18),
+        gradient_a=gradient(BY_A),
+        gradient_b=gradient(BY_B),
     )

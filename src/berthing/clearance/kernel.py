@@ -21,6 +21,10 @@ from typing import Any
 SOURCES = Path(__file__).parent / "native"
 # No contraction to fused operations and no processor of one's own: the same bits everywhere.
 OPTIONS = ("-O3", "-std=c11", "-fPIC", "-shared", "-fno-math-errno", "-ffp-contract=off")
+# Columns of an answer: both bounds, the distance, normal, witnesses (3 each), and the gradients by
+# the poses of A and B (6 each).
+WIDTH = 24
+DISTANCE, BY_A, BY_B = 2, slice(12, 18), slice(18, 24)
 COMPILERS = ("cc", "gcc", "clang")
 TIME_LIMIT_S = 120.0
 

@@ -66,10 +66,16 @@ def enclosing_ellipsoid(shape: ConvexSet) -> Enclosure:
     return Enclosure(Ellipsoid(grown), Pose(middle, np.eye(shape.dim)))
 
 
+def extents(shape: ConvexSet, at: Pose) -> Array:
+    """Least and largest coordinates (2, d) of a set placed at a single pose."""
+    axes = np.eye(shape.dim)
+    least, largest = (-shape.support(at.unrotate(-axes))[0], shape.support(at.unrotate(axes))[0])
+    return np.stack([at.position + least, at.position + largest])
+
+
 def _extents(shape: ConvexSet) -> tuple[Array, Array]:
     """Middle and half-sizes (d,) of the box along the shape's own axes."""
-    axes = np.eye(shape.dim)
-    upper, lower = shape.support(axes)[0], -shape.support(-axes)[0]
+    lower, upper = extents(shape, Pose.identity(shape.dim))
     return np.asarray(0.5 * (upper + lower)), np.asarray(0.5 * (upper - lower))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from berthing.clearance.separation import PairQuery
+from berthing.clearance.along import distances_along
 from berthing.geometry.pose import Pose
 from berthing.guess.nearby import pose_of
 from berthing.guess.path import Guess
@@ -44,14 +44,9 @@ def is_blocked(pairs: Sequence[Pair], mesh: Mesh, motion: Motion) -> bool:
         for owner in (pair.owner_a, pair.owner_b):
             if owner.name not in owners:
                 owners[owner.name] = pose_of(owner, motion.states, times)
-        a = owners[pair.owner_a.name].compose(pair.part_a.placement)
-        b = owners[pair.owner_b.name].compose(pair.part_b.placement)
-        radii = pair.part_a.shape.bounding_radius, pair.part_b.shape.bounding_radius
-        allowed_m = DEPTH * min(radii)
-        centres = np.linalg.norm(b.position - a.position, axis=-1)
-        near = np.flatnonzero(centres - sum(radii) < -allowed_m)
-        if len(near):
-            found, _, _ = PairQuery(pair.part_a.shape, pair.part_b.shape).batch(a[near], b[near])
-            if float(np.min(found)) < -allowed_m:
-                return True
+        a, b = pair.part_a, pair.part_b
+        allowed_m = DEPTH * min(a.shape.bounding_radius, b.shape.bounding_radius)
+        body_a, body_b = owners[pair.owner_a.name], owners[pair.owner_b.name]
+        if np.any(distances_along(a, body_a, b, body_b, -allowed_m) < -allowed_m):
+            return True
     return False

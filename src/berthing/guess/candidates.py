@@ -9,6 +9,7 @@ import numpy as np
 from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Body
+from berthing.geometry.enclosing import extents
 from berthing.geometry.pose import Pose
 from berthing.guess.in_the_way import in_the_way
 from berthing.guess.nearby import ROOM
@@ -213,8 +214,8 @@ def _centre(body: Body, pose: Pose) -> Array:
 
 def _box(body: Body, pose: Pose) -> list[Array]:
     """The lower and the upper corner (d,) of a placed body's box along the inertial axes."""
-    axes = np.eye(body.dim)
-    return [np.array([sign * body_support(body, pose, sign * a) for a in axes]) for sign in (-1, 1)]
+    boxes = [extents(part.shape, pose.compose(part.placement)) for part in body.parts]
+    return [np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]]
 
 
 def body_support(body: Body, pose: Pose, n: Array) -> float:

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from berthing.clearance.separation import PairQuery
+from berthing.clearance.along import distances_along
 from berthing.geometry.arrays import Array
-from berthing.geometry.body import Part
 from berthing.geometry.pose import Pose
 from berthing.scenario.pair import Pair
 from berthing.scenario.scenario import Scenario
@@ -58,7 +57,7 @@ def sample_clearance(
     for i, pair in enumerate(pairs):
         a = _owner_pose(owners, pair.owner_a, trajectory, times_s)
         b = _owner_pose(owners, pair.owner_b, trajectory, times_s)
-        distances[i] = _distances(pair.part_a, a, pair.part_b, b, near_m)
+        distances[i] = distances_along(pair.part_a, a, pair.part_b, b, near_m)
         for t0, t1, margin in scenario.margins.windows(
             pair.ref_a, pair.ref_b, (float(times_s[0]), float(times_s[-1]))
         ):
@@ -76,22 +75,6 @@ def _owner_pose(
         else:
             known[owner.name] = owner.model.pose(trajectory.vehicle(owner.name).state(t))
     return known[owner.name]
-
-
-def _distances(a: Part, body_a: Pose, b: Part, body_b: Pose, near_m: float) -> Array:
-    """Of two parts (k,), their bodies' frames being at the poses (k,)."""
-    centre_a, centre_b = (
-        body.apply(part.placement.position) for body, part in ((body_a, a), (body_b, b))
-    )
-    apart = np.linalg.norm(centre_b - centre_a, axis=-1)
-    distances = apart - a.shape.bounding_radius - b.shape.bounding_radius
-    near = np.flatnonzero(distances < near_m)
-    if len(near):
-        placed_a, placed_b = (
-            body[near].compose(part.placement) for body, part in ((body_a, a), (body_b, b))
-        )
-        distances[near] = PairQuery(a.shape, b.shape).batch(placed_a, placed_b)[0]
-    return np.asarray(distances)
 
 
 def sample_times(trajectory: PhaseTrajectory, per_segment: int) -> Array:

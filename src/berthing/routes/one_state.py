@@ -6,8 +6,9 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from berthing.clearance.kernel import DISTANCE, WIDTH
 from berthing.geometry.arrays import Array
-from berthing.routes.pair_query import DISTANCE, WIDTH, FramesQuery
+from berthing.routes.pair_query import FramesQuery
 from berthing.routes.slots import Slots
 
 

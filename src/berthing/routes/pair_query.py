@@ -7,17 +7,12 @@ from functools import partial
 
 import numpy as np
 
-from berthing.clearance.kernel import kernel
+from berthing.clearance.kernel import BY_A, BY_B, DISTANCE, WIDTH, kernel
 from berthing.clearance.queried_distance import queried_distance
 from berthing.clearance.set_numbers import set_numbers
 from berthing.geometry.arrays import Array
 from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.pose import Pose
-
-# Columns of the compiled distance: both bounds, the distance, normal, witnesses (3 each), and the
-# gradients by the poses of A and B (6 each), about the sets' own origins.
-WIDTH = 24
-DISTANCE, BY_A, BY_B = 2, slice(12, 18), slice(18, 24)
 
 # How near to the true distance a search has to come, in metres, apart and overlapping. Routes
 # keep further than that from margins, and no certificate rests on it.

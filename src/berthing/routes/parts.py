@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from berthing.clearance.kernel import BY_A, BY_B, DISTANCE
 from berthing.geometry import quaternion
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
 from berthing.geometry.pose import Pose
 from berthing.routes.broad_phase import BroadPhase, Index
 from berthing.routes.one_state import OneState
-from berthing.routes.pair_query import BY_A, BY_B, DISTANCE, FramesQuery
+from berthing.routes.pair_query import FramesQuery
 from berthing.routes.slots import Slots
 from berthing.scenario.pair import Pair
 from berthing.scenario.structure import Structure

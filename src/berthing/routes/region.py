@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from berthing.geometry.arrays import Array
+from berthing.geometry.enclosing import extents
 from berthing.routes.checker import Checker
 from berthing.scenario.structure import Structure
 from berthing.verify.frames import lifted
@@ -63,9 +64,5 @@ def _corners(structures: tuple[Structure, ...]) -> list[Array]:
         frame = structure.motion.pose(np.zeros(1))[0]
         for part in structure.body.parts:
             if np.isfinite(part.shape.bounding_radius):
-                at = frame.compose(part.placement)
-                axes = np.eye(structure.dim)
-                reach = [part.shape.support(at.unrotate(s * axes))[0] for s in (1.0, -1.0)]
-                ends = np.stack([at.position - reach[1], at.position + reach[0]])
-                found.append(lifted(ends))
+                found.append(lifted(extents(part.shape, frame.compose(part.placement))))
     return found
