@@ -24,7 +24,7 @@ def lift(v):  # from the plane into space
 
 
 def turn(q):  # the rotation of a quaternion of any length
-    k = np.cross(q[1:], np.eye(3)).T
+    k = np.array([[0, -q[3], q[2]], [q[3], 0, -q[1]], [-q[2], q[1], 0]])
     return np.eye(3) + 2 * (q[0] * k + k @ k) / np.dot(q, q)
 
 

@@ -10,7 +10,6 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from numpy import cross
 from numpy.linalg import norm, solve
 from numpy.polynomial import chebyshev as cheb
 
@@ -34,9 +33,19 @@ def lift(v):
     return np.append(v, np.zeros(3 - len(v)))
 
 
+def skew(v):
+    """The matrix of v × ·; NumPy's own product is slow with single vectors."""
+    x, y, z = v
+    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def cross(u, v):
+    return skew(u) @ v
+
+
 def turn(q):
     """The rotation of a quaternion of any length."""
-    k = cross(q[1:], np.eye(3)).T
+    k = skew(q[1:])
     return np.eye(3) + 2 * (q[0] * k + k @ k) / np.dot(q, q)
 
 
@@ -63,7 +72,7 @@ def slopes(dynamics, t, x, u):
     """The equations of motion: force and torque at the reference point, first moment c."""
     P, q, w, f, g, m = turn(x[Q]), x[Q], x[W], u[:3], u[3:], dynamics["mass_kg"]
     c = np.array(dynamics.get("first_moment_kg_m", [0, 0, 0]))
-    J, k = np.array(dynamics.get("inertia_kg_m2", [1, 1, 1])), cross(c, np.eye(3)).T
+    J, k = np.array(dynamics.get("inertia_kg_m2", [1, 1, 1])), skew(c)
     J = J if J.ndim == 2 else np.diag(J)
     for arm in dynamics.get("wrenches", []):
         times, rows = arm["times_s"], (arm["force_n"], arm["torque_nm"])

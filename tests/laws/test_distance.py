@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import fields
 
 import numpy as np
 import pytest
@@ -38,20 +39,26 @@ def tolerance(pair: Pair, distance: Array) -> Array:
     return np.where(distance > 0.0, APART, DEEP) * within
 
 
-def check_between_proofs(pair: Pair, pose_a: Pose, pose_b: Pose, found: Separation) -> None:
+def check_between_proofs(
+    pair: Pair, pose_a: Pose, pose_b: Pose, all_found: Sequence[Separation]
+) -> None:
+    """Of one answer a pose."""
     a, b = pair
-    within = float(tolerance(pair, np.array(found.distance)))
-    assert np.linalg.norm(found.normal) == pytest.approx(1.0, abs=1e-12)
-    proven = plane_bound(a, pose_a, b, pose_b, found.normal)
-    assert found.lower_bound == pytest.approx(float(proven), abs=PROOF)
-    assert found.lower_bound <= found.distance <= found.lower_bound + within
+    distance, normal, point_a, point_b, bound = (
+        np.array([getattr(one, field.name) for one in all_found]) for field in fields(Separation)
+    )
+    within = tolerance(pair, distance)
+    np.testing.assert_allclose(np.linalg.norm(normal, axis=-1), 1.0, atol=1e-12)
+    np.testing.assert_allclose(bound, plane_bound(a, pose_a, b, pose_b, normal), atol=PROOF)
+    assert np.all(bound <= distance)
+    assert np.all(distance <= bound + within)
     # The points are members of their sets, so the sets are no farther apart than they.
     beyond = WITNESS * (size(a) + size(b) + 1.0)
-    assert level(a, pose_a.inverse().apply(found.point_a)) <= beyond
-    assert level(b, pose_b.inverse().apply(found.point_b)) <= beyond
-    across = found.point_b - found.point_a
-    aside = max(within, ACROSS * (size(a) + size(b)))
-    np.testing.assert_allclose(across, found.distance * found.normal, atol=aside)
+    assert np.all(level(a, pose_a.inverse().apply(point_a)) <= beyond)
+    assert np.all(level(b, pose_b.inverse().apply(point_b)) <= beyond)
+    aside = np.maximum(within, ACROSS * (size(a) + size(b)))
+    across = point_b - point_a - distance[:, None] * normal
+    assert np.all(np.abs(across) <= aside[:, None])
 
 
 def test_is_symmetric(pair: Pair, poses: Poses, count: int) -> None:
@@ -73,8 +80,8 @@ def test_is_the_same_in_every_frame(pair: Pair, poses: Poses, count: int) -> Non
 def test_lies_between_plane_and_witnesses(pair: Pair, poses: Poses, count: int) -> None:
     at_a, at_b = poses(count, pair[0].dim, SPREAD_M), poses(count, pair[0].dim, SPREAD_M)
     query = PairQuery(*pair)
-    for i in range(count):
-        check_between_proofs(pair, at_a[i], at_b[i], query.query(at_a[i], at_b[i]))
+    found = [query.query(at_a[i], at_b[i]) for i in range(count)]
+    check_between_proofs(pair, at_a, at_b, found)
 
 
 def test_batch_and_query_agree(pair: Pair, poses: Poses, count: int) -> None:
@@ -105,7 +112,7 @@ def test_the_check_notices_a_wrong_answer() -> None:
     pair = (Box([1.0, 1.0, 1.0]), Box([1.0, 1.0, 1.0]))
     here, there = Pose.identity(), Pose(np.array([3.0, 0.0, 0.0]), np.eye(3))
     good = PairQuery(*pair).query(here, there)
-    check_between_proofs(pair, here, there, good)
+    check_between_proofs(pair, here, there, [good])
     tilted = np.array([np.cos(0.01), np.sin(0.01), 0.0])
     aside = np.array([0.0, 0.1, 0.0])
     wrong = [
@@ -117,4 +124,4 @@ def test_the_check_notices_a_wrong_answer() -> None:
     ]
     for answer in wrong:
         with pytest.raises(AssertionError):
-            check_between_proofs(pair, here, there, answer)
+            check_between_proofs(pair, here, there, [answer])

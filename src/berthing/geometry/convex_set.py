@@ -54,6 +54,10 @@ class ConvexSet(ABC):
         """
 
 
+TINY = 1e-200
+"""A square above this has lost nothing to underflow, which begins at 1e-308."""
+
+
 def last_axis(x: Array, dim: int, where: str) -> Array:
     """``x`` as float64, its last axis checked to be ``dim``; InputError where it is not."""
     array = np.asarray(x, dtype=np.float64)
@@ -65,8 +69,11 @@ def last_axis(x: Array, dim: int, where: str) -> Array:
 def unit(v: Array) -> Array:
     """v / |v| along the last axis; zero stays zero.
 
-    Dividing by the largest entry first keeps the squares of tiny vectors from underflowing.
+    Where squares would underflow or overflow, the largest entry is divided by first.
     """
+    square = np.einsum("...i,...i->...", v, v)
+    if square.size and np.min(square) > TINY and np.max(square) < 1.0 / TINY:
+        return np.asarray(v / np.sqrt(square)[..., None])
     largest = np.max(np.abs(v), axis=-1, keepdims=True)
     scaled = np.divide(v, largest, out=np.zeros_like(v), where=largest > 0.0)
     length = np.sqrt(np.sum(scaled * scaled, axis=-1, keepdims=True))
