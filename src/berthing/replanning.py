@@ -1,8 +1,9 @@
 """Planning again while flying: from where things are, on what is left of the time.
 
-The last certified plan is the start: its states, on its own mesh and rows where the clock has not
-moved, on what is left of them where it has. What comes out is verified like any plan; where it is
-not certified in time, the last certified plan goes on.
+The last certified plan is the start: its states, on its own mesh where the clock has not moved, on
+what is left of it where it has. It is first solved with rows at its touches alone, a matter of
+milliseconds; where that fails or does not do, with the rows of the last plan. What comes out is
+verified like any plan; where it is not certified in time, the last certified plan goes on.
 """
 
 from __future__ import annotations
@@ -20,6 +21,8 @@ from berthing.geometry.pose import Pose
 from berthing.guess.normals import exact_normals
 from berthing.planner import plan_with_answer
 from berthing.refine.refiner import BACKOFF_M, Refiner, make_plan
+from berthing.refine.remaining import remaining, remaining_sites, shifted
+from berthing.refine.touching import FORMULATION, Touched, Touching, touch_sites
 from berthing.result import Result
 from berthing.scenario.clock import begun_at
 from berthing.scenario.margin import MarginPolicy
@@ -29,7 +32,7 @@ from berthing.solve.ipopt import Answer, Budget, Start
 from berthing.solve.quick import QuickSolver
 from berthing.trajectory import Plan
 from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import Motion, build
+from berthing.transcription.problem import Motion, Problem, build
 from berthing.transcription.sites import Site
 from berthing.verify.endpoints import check_endpoints
 from berthing.verify.verification import Verification, verify
@@ -38,8 +41,8 @@ ITERATIONS = 100
 SWEEP_NODES = 0.42
 """Sites nearer than this many mean distances of nodes share planes, as in the refinement."""
 
-SLIVER = 0.3
-"""A first segment shorter than this share of the next one is joined to it."""
+TOUCHES, SITES = "touches", "sites"
+"""Where rows stand."""
 
 INSIDE_MARGIN = "inside_margin"
 """Outcome where the vehicle is closer to something than its margin, yet apart from it."""
@@ -54,8 +57,9 @@ class Replanned:
         begins_s: when the plan's own clock stood at zero, on the first scenario's clock.
         scenario: what the plan answers, on its own clock.
         plan, verification: certified, new or not.
-        seconds: what re-planning took.
+        seconds: what re-planning took; solving_s: the solves of it.
         iterations: of the solver.
+        rows: where those of the last solve stood, ``touches`` or ``sites``; empty before any.
     """
 
     outcome: str
@@ -65,6 +69,8 @@ class Replanned:
     verification: Verification
     seconds: float
     iterations: int
+    solving_s: float = 0.0
+    rows: str = ""
 
     @property
     def fresh(self) -> bool:
@@ -84,17 +90,44 @@ class Replanned:
 
 @dataclass(frozen=True)
 class _Certified:
-    """The last certified plan with the solve that it came from."""
+    """The last certified plan with what it came from.
+
+    Attributes:
+        mesh: of the plan; sites: where rows stand on it, where touches alone do not do.
+        answer: the last solve with rows there, if there was one on this mesh.
+        touched: the solve with rows at touches that the plan came from, if it did.
+    """
 
     begins_s: float
     scenario: Scenario
     plan: Plan
     verification: Verification
-    answer: Answer
+    mesh: Mesh
+    sites: tuple[Site, ...]
+    answer: Answer | None
+    touched: Touched | None = None
 
     @property
     def ends_s(self) -> float:
         return self.begins_s + self.plan.phases[0].t1_s
+
+    def done(self, time_s: float) -> float:
+        """The fraction of the plan that is over."""
+        return (time_s - self.begins_s) / (self.ends_s - self.begins_s)
+
+
+@dataclass
+class _Spent:
+    """What a call has spent on solves so far."""
+
+    iterations: int = 0
+    seconds: float = 0.0
+    rows: str = ""
+
+    def add(self, rows: str, iterations: int, seconds: float) -> None:
+        self.rows = rows
+        self.iterations += iterations
+        self.seconds += seconds
 
 
 class Planner:
@@ -117,7 +150,7 @@ class Planner:
         if self.options.controls != POLYNOMIAL:
             raise InputError("controls", f"are {self.options.controls}", POLYNOMIAL)
         self._last: _Certified | None = None
-        self._solver: tuple[float, QuickSolver] | None = None
+        self._solver: tuple[Problem, QuickSolver] | None = None
 
     def plan(self) -> Result:
         """Plan from the scenario's own start, as ``berthing.plan`` does."""
@@ -125,7 +158,13 @@ class Planner:
         if result.outcome == outcomes.CERTIFIED and answer is not None:
             assert result.plan is not None
             assert result.verification is not None
-            self._keep(_Certified(0.0, self.scenario, result.plan, result.verification, answer))
+            problem = answer.problem
+            made = _Certified(
+                0.0, self.scenario, result.plan, result.verification, problem.mesh,
+                problem.separation.sites, answer,
+            )  # fmt: skip
+            touched = self._with_rows_at_touches(self.scenario, 0.0, made)
+            self._last = replace(made, touched=touched)
         return result
 
     def replan(
@@ -165,53 +204,102 @@ class Planner:
         try:
             check_endpoints(asked)
         except InputError:
-            return self._result(last, INSIDE_MARGIN, began, 0)
-        outcome, iterations, made = self._again(asked, time_s, last, began + deadline_s)
-        if made is not None:
-            self._keep(made)
-        assert self._last is not None
-        return self._result(self._last, outcome, began, iterations)
+            return self._result(last, INSIDE_MARGIN, began, _Spent())
+        spent = _Spent()
+        outcome, made = self._again(asked, time_s, last, began + deadline_s, spent)
+        self._last = made or last
+        return self._result(self._last, outcome, began, spent)
 
-    def _result(self, kept: _Certified, outcome: str, began: float, iterations: int) -> Replanned:
+    def _result(self, kept: _Certified, outcome: str, began: float, spent: _Spent) -> Replanned:
         return Replanned(
             outcome, kept.begins_s, kept.scenario, kept.plan, kept.verification,
-            time.monotonic() - began, iterations,
+            time.monotonic() - began, spent.iterations, spent.seconds, spent.rows,
         )  # fmt: skip
 
-    def _keep(self, made: _Certified) -> None:
-        self._last = made
-
     def _again(
-        self, asked: Scenario, time_s: float, last: _Certified, deadline: float
-    ) -> tuple[str, int, _Certified | None]:
+        self, asked: Scenario, time_s: float, last: _Certified, deadline: float, spent: _Spent
+    ) -> tuple[str, _Certified | None]:
+        """With rows at the touches, and with the last plan's where that is not certified."""
+        if time.monotonic() > deadline:
+            return outcomes.TIME_LIMIT, None
+        touched = self._with_rows_at_touches(asked, time_s, last)
+        if touched is not None and time.monotonic() <= deadline:
+            answer = touched.answer
+            spent.add(TOUCHES, answer.outcome.iterations, answer.outcome.wall_time_s)
+            made, found = self._checked(asked, answer)
+            if found.certified:
+                kept = self._on_its_mesh(time_s, last)
+                return outcomes.CERTIFIED, replace(
+                    kept, begins_s=time_s, scenario=asked, plan=made, verification=found,
+                    touched=touched,
+                )  # fmt: skip
+        return self._with_rows_at_sites(asked, time_s, last, deadline, spent)
+
+    def _checked(self, asked: Scenario, answer: Answer) -> tuple[Plan, Verification]:
+        options = self.options
+        made = make_plan(
+            asked, answer.problem, answer.outcome, options.formulation, options.seed
+        )
+        return made, verify(asked, made)
+
+    def _on_its_mesh(self, time_s: float, last: _Certified) -> _Certified:
+        """``last`` with the mesh and sites that are left of it."""
+        if time_s == last.begins_s:
+            return last
+        done = last.done(time_s)
+        mesh = remaining(last.mesh, done)
+        sites = remaining_sites(last.mesh, list(last.sites), mesh, done)
+        return replace(last, mesh=mesh, sites=tuple(sites), answer=None)
+
+    def _with_rows_at_touches(
+        self, asked: Scenario, time_s: float, last: _Certified
+    ) -> Touched | None:
+        """From the last such solve where the clock has not moved, else from the plan."""
+        if self.options.formulation != FORMULATION:
+            return None
+        if time_s == last.begins_s and last.touched is not None:
+            return last.touched.touching.again(asked, last.touched)
+        mesh, from_s = self._on_its_mesh(time_s, last).mesh, time_s - last.begins_s
+        (flown,) = last.plan.phases
+        touching = Touching.build(
+            asked, asked.phases[0], mesh, touch_sites(last.scenario, flown, mesh, from_s)
+        )
+        return touching.first(asked, shifted(last.plan, mesh, from_s, flown.t1_s))
+
+    def _with_rows_at_sites(
+        self, asked: Scenario, time_s: float, last: _Certified, deadline: float, spent: _Spent
+    ) -> tuple[str, _Certified | None]:
         """Solve, verify, and refine where that is not enough."""
         solver, motion, previous = self._ready(asked, time_s, last)
         left = deadline - time.monotonic()
         if left <= 0.0:
-            return outcomes.TIME_LIMIT, 0, None
+            return outcomes.TIME_LIMIT, None
         solver = solver.allowed("warm" if previous else "near", Budget(ITERATIONS, left))
         problem = solver.problem
         start = Start(motion, exact_normals(problem.pairs))
         outcome = solver.solve(asked, start, backoff_m=BACKOFF_M, previous=previous)
-        iterations = outcome.iterations
+        spent.add(SITES, outcome.iterations, outcome.wall_time_s)
         if time.monotonic() > deadline:
-            return outcomes.TIME_LIMIT, iterations, None
+            return outcomes.TIME_LIMIT, None
         if not outcome.solved:
-            return outcome.status, iterations, None
+            return outcome.status, None
         answer = Answer(problem, outcome)
-        made = make_plan(asked, problem, outcome, self.options.formulation, self.options.seed)
-        found = verify(asked, made)
+        made, found = self._checked(asked, answer)
         if not found.certified and time.monotonic() < deadline:
             refined = self._refiner(asked, problem.mesh, deadline).follow("again", answer)
-            iterations += sum(attempt.iterations for attempt in refined.attempts)
+            for attempt in refined.attempts:
+                spent.add(SITES, attempt.iterations, attempt.wall_time_s)
             if refined.certified and refined.answer is not None:
                 assert refined.plan is not None
                 assert refined.verification is not None
                 made, found, answer = refined.plan, refined.verification, refined.answer
         if not found.certified:
             late = time.monotonic() > deadline
-            return outcomes.TIME_LIMIT if late else outcomes.NOT_CERTIFIED, iterations, None
-        return outcomes.CERTIFIED, iterations, _Certified(time_s, asked, made, found, answer)
+            return outcomes.TIME_LIMIT if late else outcomes.NOT_CERTIFIED, None
+        sites = answer.problem.separation.sites
+        return outcomes.CERTIFIED, _Certified(
+            time_s, asked, made, found, answer.problem.mesh, sites, answer
+        )
 
     def _refiner(self, asked: Scenario, mesh: Mesh, deadline: float) -> Refiner:
         return Refiner(
@@ -223,57 +311,18 @@ class Planner:
         self, asked: Scenario, time_s: float, last: _Certified
     ) -> tuple[QuickSolver, Motion, Answer | None]:
         """A solver for what is left, where to begin, and multipliers if the mesh is the same."""
-        old = last.answer.problem
-        if time_s == last.begins_s:
-            if self._solver is None or self._solver[1].problem is not old:
-                self._solver = (time_s, QuickSolver(old, "warm", falls_back=False))
+        if time_s == last.begins_s and last.answer is not None:
+            old = last.answer.problem
+            if self._solver is None or self._solver[0] is not old:
+                self._solver = (old, QuickSolver(old, "warm", falls_back=False))
             return self._solver[1], last.answer.outcome.motion, last.answer
-        done = (time_s - last.begins_s) / (last.ends_s - last.begins_s)
-        mesh = remaining(old.mesh, done)
-        sites = remaining_sites(old.mesh, list(old.separation.sites), mesh, done)
-        within = SWEEP_NODES / old.mesh.control_count / (1.0 - done)
+        left = self._on_its_mesh(time_s, last)
+        within = SWEEP_NODES / last.mesh.control_count / (1.0 - last.done(time_s))
         problem = build(
-            asked, asked.phases[0], mesh, sites, self.options.formulation, sweep_within=within
+            asked, asked.phases[0], left.mesh, left.sites, self.options.formulation,
+            sweep_within=within,
+        )  # fmt: skip
+        motion = shifted(
+            last.plan, left.mesh, time_s - last.begins_s, last.ends_s - last.begins_s
         )
-        motion = shifted(last.plan, mesh, time_s - last.begins_s, last.ends_s - last.begins_s)
         return QuickSolver(problem, "near", falls_back=False), motion, None
-
-
-def remaining(mesh: Mesh, done: float) -> Mesh:
-    """The segments after the fraction ``done`` of the phase, as a mesh of their own."""
-    later = [b for b in mesh.breaks if b > done]
-    degrees = mesh.degrees[-len(later) :]
-    if len(later) > 1 and later[0] - done < SLIVER * (later[1] - later[0]):
-        later, degrees = later[1:], degrees[1:]
-    breaks = [0.0, *((b - done) / (1.0 - done) for b in later[:-1]), 1.0]
-    return Mesh(mesh.scheme, tuple(breaks), degrees)
-
-
-def remaining_sites(old: Mesh, sites: list[Site], mesh: Mesh, done: float) -> list[Site]:
-    """The sites after ``done``, at the same instants on the mesh that remains."""
-    out = []
-    for site in sites:
-        at = (old.fraction(site.segment, site.s) - done) / (1.0 - done)
-        if at > 0.0:
-            segment, s = mesh.locate(min(at, 1.0))
-            points = mesh.node_set(segment).points
-            nearest = float(points[np.argmin(np.abs(points - s))])
-            # What was a node of the old mesh is one of the new, but for rounding.
-            s = nearest if abs(nearest - s) < 1e-9 else s
-            out.append(Site(segment, s, site.pair))
-    return sorted(set(out))
-
-
-def shifted(plan: Plan, mesh: Mesh, from_s: float, to_s: float) -> Motion:
-    """The plan's motion from one time of its clock to another, on ``mesh``."""
-    (phase,) = plan.phases
-    points = from_s + (to_s - from_s) * mesh.point_fractions()
-    nodes = from_s + (to_s - from_s) * np.array(
-        [mesh.fraction(k, float(s)) for k in range(mesh.segments)
-         for s in mesh.node_set(k).control_points]
-    )  # fmt: skip
-    return Motion(
-        to_s - from_s,
-        {own.vehicle: own.state(points).T for own in phase.vehicles},
-        {own.vehicle: own.control(nodes).T for own in phase.vehicles},
-    )

@@ -8,14 +8,8 @@ import pytest
 from berthing.errors import InputError
 from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
-from berthing.replanning import (
-    INSIDE_MARGIN,
-    Planner,
-    Replanned,
-    remaining,
-    remaining_sites,
-    shifted,
-)
+from berthing.refine.remaining import remaining, remaining_sites, shifted
+from berthing.replanning import INSIDE_MARGIN, SITES, TOUCHES, Planner, Replanned
 from berthing.result import CERTIFIED, TIME_LIMIT
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.sites import Site, node_sites
@@ -53,6 +47,7 @@ def test_a_moved_start_and_structure() -> None:
     pose = Pose(np.array([3.05, 0.02]), np.eye(2))
     found = planner.replan(start, 0.0, structures={"post": pose})
     check(found, start)
+    assert found.rows == TOUCHES
     assert found.begins_s == 0.0
     (post,) = found.scenario.structures
     assert post.motion.pose(np.zeros(1)).position[0] == pytest.approx([3.05, 0.02])
@@ -65,12 +60,25 @@ def test_again_on_what_is_left() -> None:
     start = last.state("puck", at_s) + np.array([0.01, -0.005, 1e-4, 0.0])
     found = planner.replan({"puck": start}, at_s)
     check(found, start)
+    assert found.rows == TOUCHES
     assert found.plan.phases[0].t1_s == pytest.approx(DURATION_S - at_s)
     assert found.state("puck", DURATION_S) == pytest.approx([6, 0, 0, 0], abs=1e-7)
     assert found.control("puck", at_s).shape == (2,)
     # The clock does not run backwards.
     with pytest.raises(InputError, match="time_s"):
         planner.replan(start, 0.0)
+
+
+@pytest.mark.slow
+def test_touches_that_were_not_there_take_rows_at_sites() -> None:
+    # A second one comes from out of sight, 0.02 m too far into the way.
+    far = structure("buoy", [4.6, -3.0], {"type": "sphere", "radius_m": 0.3})
+    planner = Planner(scenario(puck(), structures=[POST, far]))
+    assert planner.plan().outcome == CERTIFIED
+    pose = Pose(np.array([4.6, -1.691]), np.eye(2))
+    found = planner.replan(REST, 0.0, structures={"buoy": pose})
+    check(found, REST)
+    assert found.rows == SITES
 
 
 def test_past_the_deadline_the_last_plan_goes_on(first: Planner) -> None:

@@ -25,6 +25,9 @@ class KktMatrix:
 
     Args:
         hessian, jacobian: casadi patterns, the first of an upper triangle.
+
+    Attributes:
+        negative: how many pivots are, of the last factorisation; -1 where there is none.
     """
 
     def __init__(self, hessian: Any, jacobian: Any) -> None:
@@ -49,6 +52,7 @@ class KktMatrix:
         self._on = np.concatenate([self._diagonal, self._e])
         self._factors: Any = None
         self._curvature = np.zeros(n)
+        self.negative: int = -1
 
     def fill(self, hessian: Array, jacobian: Array) -> None:
         """Take the nonzeros of H and J."""
@@ -71,10 +75,10 @@ class KktMatrix:
                 self._factors.update(self._upper, upper=True)
         except RuntimeError:
             # A pivot of zero.
-            self._factors = None
+            self._factors, self.negative = None, -1
             return False
-        d = self._factors.factors()[1]
-        return bool(np.count_nonzero(d < 0.0) == self.rows)
+        self.negative = int(np.count_nonzero(self._factors.factors()[1] < 0.0))
+        return bool(self.negative == self.rows)
 
     def solve(self, right: Array) -> Array:
         """The solution (n + m,), refined once."""

@@ -70,24 +70,12 @@ class QuickSolver:
     @cached_property
     def own(self) -> InteriorPoint:
         """The interior-point method on this problem."""
-        lower, upper = self.problem.layout.rows.bounds()
-        below, above = self.problem.layout.variables.bounds()
-        bounded = self._bounded
-        return InteriorPoint(
-            Evaluation(self.problem.nlp, bounded),
-            np.concatenate([lower, below[bounded]]),
-            np.concatenate([upper, above[bounded]]),
-        )
+        return InteriorPoint(*with_rows_alone(self.problem))
 
     @cached_property
     def ipopt(self) -> Solver:
         """IPOPT on this problem."""
         return Solver.build(self.problem, self.preset, self.budget)
-
-    @cached_property
-    def _bounded(self) -> list[int]:
-        below, above = self.problem.layout.variables.bounds()
-        return [int(i) for i in np.flatnonzero(np.isfinite(below) | np.isfinite(above))]
 
     def solve(
         self,
@@ -110,7 +98,8 @@ class QuickSolver:
         if previous is not None:
             carried = previous.carried(problem, x)
             x = carried["x0"]
-            multipliers = np.concatenate([carried["lam_g0"], carried["lam_x0"][self._bounded]])
+            bounds = carried["lam_x0"][bounded_variables(problem)]
+            multipliers = np.concatenate([carried["lam_g0"], bounds])
         settings = replace(
             BEGIN[self.preset], iterations=min(self.budget.iterations, ITERATIONS),
             seconds=self.budget.wall_time_s, tolerance=self.tolerance,
@@ -128,20 +117,51 @@ class QuickSolver:
         )  # fmt: skip
 
     def _outcome(self, found: Found, parameters: Array, duration_s: float, spent: float) -> Outcome:
-        problem, point = self.problem, found.point
-        rows = problem.layout.rows.size
-        bound_multipliers = np.zeros(len(point.x))
-        bound_multipliers[self._bounded] = point.y[rows:]
-        motion = problem.motion(point.x, duration_s)
-        return Outcome(
-            status=STATUS[found.status],
-            x=point.x,
-            multipliers=point.y[:rows],
-            bound_multipliers=bound_multipliers,
-            parameters=parameters,
-            motion=motion,
-            cost=problem.cost(motion),
-            iterations=found.iterations,
-            wall_time_s=spent,
-            worst_row=problem.layout.rows.worst(point.g[:rows]),
-        )
+        point = found.point
+        outcome = outcome_of(self.problem, STATUS[found.status], point.x, point.y, parameters,
+                             duration_s)  # fmt: skip
+        return replace(
+            outcome, iterations=found.iterations, wall_time_s=spent,
+            worst_row=self.problem.layout.rows.worst(point.g[: self.problem.layout.rows.size]),
+        )  # fmt: skip
+
+
+def bounded_variables(problem: Problem) -> list[int]:
+    """Those with bounds of their own."""
+    below, above = problem.layout.variables.bounds()
+    return [int(i) for i in np.flatnonzero(np.isfinite(below) | np.isfinite(above))]
+
+
+def with_rows_alone(problem: Problem) -> tuple[Evaluation, Array, Array]:
+    """The functions of ``problem``, bounded variables among the rows, and the rows' bounds."""
+    lower, upper = problem.layout.rows.bounds()
+    below, above = problem.layout.variables.bounds()
+    bounded = bounded_variables(problem)
+    return (
+        Evaluation(problem.nlp, bounded),
+        np.concatenate([lower, below[bounded]]),
+        np.concatenate([upper, above[bounded]]),
+    )
+
+
+def outcome_of(
+    problem: Problem, status: str, x: Array, y: Array, parameters: Array, duration_s: float
+) -> Outcome:
+    """The outcome at x (n,), with multipliers y of the rows and of bounded variables after them;
+    what the solve took is left at zero."""
+    rows = problem.layout.rows.size
+    bound_multipliers = np.zeros(len(x))
+    bound_multipliers[bounded_variables(problem)] = y[rows:]
+    motion = problem.motion(x, duration_s)
+    return Outcome(
+        status=status,
+        x=x,
+        multipliers=y[:rows],
+        bound_multipliers=bound_multipliers,
+        parameters=parameters,
+        motion=motion,
+        cost=problem.cost(motion),
+        iterations=0,
+        wall_time_s=0.0,
+        worst_row="",
+    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,7 @@ from berthing.transcription.cost import phase_cost
 from berthing.transcription.defects import add_cost, add_defects
 from berthing.transcription.elements import Index
 from berthing.transcription.ends import add_ends, end_parameters
+from berthing.transcription.instants import Instant, add_instants
 from berthing.transcription.lagrange import interpolation_matrix
 from berthing.transcription.layout import (
     PhaseLayout,
@@ -95,6 +96,7 @@ class Problem:
         defect_rows: vehicle → rows (collocated nodes, nx) of each segment's defects.
         separation: the sites and their rows; sweeps: planes shared by two of them.
         limit_rows, path_rows: those of limits and of path constraints.
+        instants: of the sites, where these are free to move within their segments.
     """
 
     scenario: Scenario
@@ -109,6 +111,7 @@ class Problem:
     sweeps: tuple[Sweep, ...]
     limit_rows: tuple[LimitRows, ...] = ()
     path_rows: tuple[PathRows, ...] = ()
+    instants: tuple[Instant, ...] = ()
 
     @property
     def homotopy(self) -> tuple[float, ...]:
@@ -160,6 +163,8 @@ class Problem:
             values[state_name(name, vehicle.name)] = motion.states[vehicle.name]
             values[control_name(name, vehicle.name)] = motion.controls[vehicle.name]
             values[slack_name(name, vehicle.name)] = 0.0
+        sites = self.separation.sites
+        values.update({own.place: site.s for own, site in zip(self.instants, sites, strict=False)})
         values.update(self._site_values(scenario, motion, normals, eps))
         values.update(self._sweep_values(scenario, motion, values))
         for vehicle in self.phase.vehicles:
@@ -182,6 +187,15 @@ class Problem:
             {v: values[state_name(name, v)] for v in vehicles},
             {v: values[control_name(name, v)] for v in vehicles},
         )
+
+    def settled(self, x: Array) -> Problem:
+        """With the sites where a vector of variables moves them to."""
+        values, old = self.layout.variables.split(x), self.separation
+        at = [float(values[own.place][0, 0]) for own in self.instants]
+        sites = tuple(replace(q, s=s) for q, s in zip(old.sites, at, strict=True))
+        there = {(q.segment, q.s): site.s for q, site in zip(old.sites, sites, strict=True)}
+        lifted = {(v, k, there[k, s]): block for (v, k, s), block in old.lifted.items()}
+        return replace(self, separation=replace(old, sites=sites, lifted=lifted))
 
     def cost(self, motion: Motion) -> float:
         """The phase's cost of ``motion`` in physical units, regularisers excluded."""
@@ -258,10 +272,13 @@ def build(
     shares: Shares = lambda first, last: True,
     regulariser: float = DEFAULT_REGULARISER,
     t0_s: float = 0.0,
+    moving: bool = False,
 ) -> Problem:
     """Assemble the programme of ``phase`` with separation at ``sites``.
 
     Args:
+        moving: whether sites are free to move within their segments, each to where its pair comes
+            nearest; nothing then holds planes but their rows, and none are shared.
         shapes_of: what stands for the parts of a pair.
         sweep_within: sites of a pair that follow each other within this fraction of the phase
             share planes, where the formulation has any and ``shares`` says so.
@@ -282,12 +299,17 @@ def build(
     add_ends(layout)
     limit_rows, path_rows = add_limits(layout), add_path_constraints(layout)
     places = Places(layout)
-    separation = add_separation(layout, pairs, formulations, sites, places, regulariser)
-    sweeps = add_sweeps(
-        layout, pairs, formulations, separation, places, sweep_within, shares, regulariser
-    )
+    instants: tuple[Instant, ...] = ()
+    sweeps: tuple[Sweep, ...] = ()
+    if moving:
+        separation, instants = add_instants(layout, pairs, formulations, sites)
+    else:
+        separation = add_separation(layout, pairs, formulations, sites, places, regulariser)
+        sweeps = add_sweeps(
+            layout, pairs, formulations, separation, places, sweep_within, shares, regulariser
+        )
     nlp = layout.elements.programme(layout.variables.size, layout.parameters.size, layout.rows.size)
     return Problem(
         scenario, phase, mesh, pairs, formulations, layout, nlp, defect_rows, separation, sweeps,
-        limit_rows, path_rows,
+        limit_rows, path_rows, instants,
     )  # fmt: skip

@@ -83,7 +83,7 @@ def add_separation(
     for p, (pair, form) in enumerate(zip(pairs, formulations, strict=True)):
         here = {i: site for i, site in enumerate(sites) if site.pair == p}
         if here:
-            kernel = _PairKernel(layout, pair, form, regulariser / len(sites))
+            kernel = PairKernel(layout, pair, form, regulariser / len(sites), fixed_fraction)
             for i, block, row in _add_pair(layout, kernel, here, places, margins, eps):
                 blocks[i], separation_rows[i] = block.name, row
     return SiteRows(tuple(sites), tuple(blocks), places.names, tuple(separation_rows))
@@ -91,7 +91,7 @@ def add_separation(
 
 def _add_pair(
     layout: PhaseLayout,
-    kernel: _PairKernel,
+    kernel: PairKernel,
     sites: Mapping[int, Site],
     places: Places,
     margins: Block,
@@ -127,16 +127,25 @@ def _add_pair(
     return out
 
 
-class _PairKernel:
-    """The rows of one pair: its variables, margin, fraction of the phase, and what places it."""
+def fixed_fraction(inputs: Inputs) -> Sym:
+    """The fraction of the phase as a number that each site brings along."""
+    return inputs.constant("fraction")
+
+
+class PairKernel:
+    """The rows of one pair: its variables, margin, fraction of the phase, and what places it.
+
+    ``declare_fraction`` declares what the fraction follows from, and returns it.
+    """
 
     def __init__(
-        self, layout: PhaseLayout, pair: Pair, form: PairFormulation, regulariser: float
-    ) -> None:
+        self, layout: PhaseLayout, pair: Pair, form: PairFormulation, regulariser: float,
+        declare_fraction: Callable[[Inputs], Sym],
+    ) -> None:  # fmt: skip
         self.pair, self.form = pair, form
         self.inputs = Inputs()
         v = self.inputs.variable("v", len(form.variables))
-        margin, fraction = self.inputs.parameter("margin", 1), self.inputs.constant("fraction")
+        margin, fraction = self.inputs.parameter("margin", 1), declare_fraction(self.inputs)
         t = layout.t0_s + layout.declare_duration(self.inputs) * fraction
         pose_a = part_pose(layout, self.inputs, "a", pair.owner_a, pair.part_a, t)
         pose_b = part_pose(layout, self.inputs, "b", pair.owner_b, pair.part_b, t)
