@@ -10,8 +10,8 @@ from berthing.geometry.arrays import Array
 from berthing.geometry.convex_set import ConvexSet, norm
 from berthing.geometry.pose import Pose
 
-# Fourth-order differences with this step (m, rad) of values good to 1e-10 err by about 1e-6.
-STEP = 3e-5
+# Fourth-order differences with this step (m, rad) of values good to 1e-13 err by about 1e-8.
+STEP = 1e-5
 
 
 def size(shape: ConvexSet) -> float:

@@ -60,9 +60,7 @@ def reference() -> dict:
     began = time.perf_counter()
     problem = build(scenario, phase, mesh, node_sites(mesh, len(pairs)), "kkt-complementarity")
     guess = candidates(scenario, phase, 0)[0]
-    start = Start(
-        motion_along(guess, phase, mesh, phase.horizon.nominal_s), exact_normals(pairs)
-    )
+    start = Start(motion_along(guess, phase, mesh, phase.horizon.nominal_s), exact_normals(pairs))
     outcome = solve_by_stages(
         problem, scenario, start, preset="cold", budget=REFERENCE_BUDGET, backoff_m=BACKOFF_M
     )

@@ -16,6 +16,7 @@ from support.distances import BRACKET, DEPTH
 # coal enlarges boxes by 1e-10 of their size, and its EPA ends at 1e-6 of it.
 TOLERANCE_M = 5e-6
 
+
 def check(contact: Contact, distance: float, at: Pose) -> None:
     a, b, beyond = contact.a, contact.b, at.compose(contact.pose)
     found = PairQuery(a, b).query(at, beyond)

@@ -30,6 +30,12 @@ def test_distances_are_as_claimed(tmp_path: Path) -> None:
     assert brackets["apart_99.9_percent_m"] <= USUAL_BRACKET
     assert brackets["apart_widest_m"] <= WIDEST_BRACKET
     assert brackets["overlapping_widest_m"] <= DEPTH
+    assert brackets["asked_again_in_another_order"] > 0.8 * POSES
+    assert brackets["brackets_of_both_that_exclude_each_other"] == 0
+    assert brackets["apart_they_differ_by_m"] <= WIDEST_BRACKET
+    assert brackets["overlapping_they_differ_by_m"] <= DEPTH
+    assert brackets["upper_bounds_checked"] > 0.2 * POSES
+    assert brackets["upper_bounds_wrong"] == 0
     for part in ("contacts known by hand", "touching, and about one centre"):
         assert found[part]["apart_widest_m"] <= WIDEST_BRACKET
         assert found[part]["touching_or_overlapping_widest_m"] <= DEPTH

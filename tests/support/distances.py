@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from benchmarks._distance_order import outside
 from benchmarks._distance_poses import size
 
 from berthing.clearance.plane import plane_bound
 from berthing.clearance.signed_distance import SignedDistance
-from berthing.geometry.arrays import Array
-from berthing.geometry.capability import level
 from berthing.geometry.convex_set import ConvexSet, norm
 from berthing.geometry.half_space import HalfSpace
 from berthing.geometry.intersection import Intersection
@@ -43,8 +42,7 @@ def faults(
         | (found.distance < found.lower_bound - ROUNDING * scale),
         "bounds too far apart": open_by > np.where(apart, BRACKET, DEPTH),
         "normal not unit": np.abs(norm(found.normal) - 1.0) > ROUNDING,
-        "point not a member": _outside(a, pose_a, found.point_a)
-        | _outside(b, pose_b, found.point_b),
+        "point not a member": outside(a, pose_a, found.point_a) | outside(b, pose_b, found.point_b),
         "points not along the normal": norm(
             found.point_b - found.point_a - found.distance[:, None] * found.normal
         )
@@ -57,11 +55,3 @@ def faults(
         slack = (SOLVED if solved else ROUNDING) * scale
         wrong["bound not proven"] = found.lower_bound > bound + slack
     return [f"{name} at {np.flatnonzero(at).tolist()}" for name, at in wrong.items() if at.any()]
-
-
-def _outside(shape: ConvexSet, pose: Pose, points: Array) -> Array:
-    """Points farther out than 1e-6 of the size along the level's own slope."""
-    own = pose.unrotate(points - pose.position)
-    inwards = own * (1.0 - 1e-6) if not isinstance(shape, HalfSpace | Intersection) else own
-    value = np.minimum(level(shape, own), level(shape, inwards))
-    return np.asarray(value > 1e-6 * (size(shape) + 1.0))

@@ -15,9 +15,12 @@ from berthing.geometry.pose import Pose
 # Answers closer than this to each other, as a fraction of the sizes, end a search. Rounding allows
 # about 1e-15.
 TOLERANCE = 1e-10
-# The same where sets overlap: every other direction is shown to be no better than by this much.
-# The normal itself is as exact as that of sets apart.
-DEPTH_TOLERANCE = 5e-7
+# The same where sets overlap: every other direction is shown to be no better than by this much, or
+# by so many metres where that is less, but never less than the third. The normal itself is as exact
+# as that of sets apart.
+DEPTH_TOLERANCE = 2e-6
+DEPTH_TOLERANCE_M = 4e-6
+LEAST_DEPTH_TOLERANCE = 5e-7
 # The first, for sets whose support points an interior-point method finds, to some 1e-11.
 CONIC_TOLERANCE = 1e-9
 # Bounds of sets apart that stay further from each other than so many tolerances are improved on by
@@ -51,7 +54,7 @@ def compiled_distance(a: ConvexSet, poses_a: Pose, b: ConvexSet, poses_b: Pose) 
         numbers_a.ctypes.data, numbers_b.ctypes.data, a.dim, count,
         turn_a.ctypes.data, place_a.ctypes.data, step_a,
         turn_b.ctypes.data, place_b.ctypes.data, step_b,
-        tolerance, DEPTH_TOLERANCE * size, rows.ctypes.data,
+        tolerance, _depth_tolerance(size), rows.ctypes.data,
     )  # fmt: skip
     if done < 0:
         raise MemoryError("no memory for the distance search")
@@ -87,6 +90,10 @@ def _spread(poses: Pose, batch: tuple[int, ...]) -> Pose:
 def _size(numbers: Array) -> float:
     """Of a set with its pad, as native/shape.h has it."""
     return float(2.0 * numbers[1] + numbers[2])
+
+
+def _depth_tolerance(size: float) -> float:
+    return max(LEAST_DEPTH_TOLERANCE * size, min(DEPTH_TOLERANCE * size, DEPTH_TOLERANCE_M))
 
 
 def _flat(poses: Pose, batch: tuple[int, ...]) -> tuple[Array, Array, int]:

@@ -80,7 +80,7 @@ static int eliminate(double *M, double *x, int n)
     return 1;
 }
 
-static const double STILL = 1e-12, BROKEN = 1e-14, DONE = 1e-15;
+static const double STILL = 1e-13, BROKEN = 1e-14, DONE = 1e-15;
 
 /* Newton's step of the point, and after it those of the multipliers. Returns what the conditions
    are off by, or infinity where there is no step. */
@@ -102,6 +102,32 @@ static double polish_step(const Conic *c, const double *cost, const Active *a, c
     /* Flat faces leave the point free, and redundant rows their multipliers: neither then moves. */
     for (int j = 0; j < all; j++) M[j * MOST_UNKNOWNS + j] += j < n ? STILL : -STILL;
     return eliminate(M, x, all) ? off : INFINITY;
+}
+
+/* Multipliers that leave the least of the cost: without them a cone that is new has no curvature.
+   Rows that would pull are let go. */
+static int estimate(const Conic *c, const double *cost, const double *z, Active *a)
+{
+    double M[MOST_UNKNOWNS * MOST_UNKNOWNS], x[MOST_UNKNOWNS], g[MOST_COLUMNS];
+    int n = c->size, all = n + a->n;
+    for (int i = 0; i < all; i++) memset(M + i * MOST_UNKNOWNS, 0, all * sizeof(double));
+    for (int j = 0; j < all; j++) {
+        x[j] = j < n ? -cost[j] : 0.0;
+        M[j * MOST_UNKNOWNS + j] = j < n ? 1.0 : -STILL;
+    }
+    for (int k = 0; k < a->n; k++) {
+        excess(c, a->row[k], z, 0.0, g, M);
+        for (int j = 0; j < n; j++) M[j * MOST_UNKNOWNS + n + k] = M[(n + k) * MOST_UNKNOWNS + j] = g[j];
+    }
+    if (!eliminate(M, x, all)) return 0;
+    int kept = 0;
+    for (int k = 0; k < a->n; k++) {
+        if (x[n + k] < 0.0) continue;
+        a->row[kept] = a->row[k];
+        a->y[kept++] = x[n + k];
+    }
+    a->n = kept;
+    return 1;
 }
 
 static void slacks(const Conic *c, const double *z, double part, const double *step, double *s)
@@ -140,6 +166,22 @@ static double room_for(const Conic *c, const Active *a, const double *z, const d
         }
         part = low;
         *row = i;
+    }
+    return part;
+}
+
+/* The part of a step along which the cones held are nearly what their tangent planes are. */
+static double short_of_bends(const Conic *c, const Active *a, const double *z, const double *step)
+{
+    double here[MOST_CONE_ROWS], there[MOST_CONE_ROWS], part = 1.0;
+    for (int k = 0; k < a->n; k++) {
+        int i = a->row[k];
+        if (i < c->lines) continue;
+        slacks(c, z, 0.0, step, here);
+        slacks(c, z, 1.0, step, there);
+        double far = 0.0;
+        for (int j = i + 1; j < i + c->p; j++) far += (there[j] - here[j]) * (there[j] - here[j]);
+        part = fmin(part, 0.5 * tail_length(here + i, c->p) / sqrt(far));
     }
     return part;
 }
@@ -187,13 +229,15 @@ static void polish(const Conic *c, const double *cost, Iterate *v)
             if (drop(&a)) continue;
             break;
         }
-        double part = room_for(c, &a, tried.z, x, &blocked);
+        double part = short_of_bends(c, &a, tried.z, x);
+        for (int j = 0; j < c->size + a.n; j++) x[j] *= part;
+        part = room_for(c, &a, tried.z, x, &blocked);
         for (int j = 0; j < c->size; j++) tried.z[j] += part * x[j];
         for (int k = 0; k < a.n; k++) a.y[k] += part * x[c->size + k];
         if (blocked >= 0) {
             if (a.n == MOST_ACTIVE) return;
-            a.row[a.n] = blocked;
-            a.y[a.n++] = 0.0;
+            a.row[a.n++] = blocked;
+            if (!estimate(c, cost, tried.z, &a)) return;
         }
     }
     for (int k = 0; k < a.n; k++)

@@ -31,8 +31,9 @@ static V extrapolated(V n, V step, V before)
 /* The best normal near a given one. Parted along a normal n by s = |s| n, the sets have the
    distance bound(m) + m·s, m being the normal there: the largest such sum, so that bound(m) >=
    bound(n) + (n - m)·s >= bound(n). Repeated, this climbs to a normal that is its own; every third
-   step goes on to where the last two point, if that is no worse. */
-static Answer settle(Path *path, Answer start)
+   step goes on to where the last two point, if that is no worse. `still` tells whether it ended at such
+a normal, or after that many steps. */
+static Answer settle(Path *path, Answer start, int most, int *still)
 {
     Pair *pair = &path->pair;
     V r = pair->r, n = start.normal, step = vec(0, 0, 0);
@@ -40,7 +41,8 @@ static Answer settle(Path *path, Answer start)
     double bound, rounding = pair->noise, least = INFINITY;
     lowest(pair, n, &bound);
     best.lower = bound;
-    for (int i = 0, idle = 0; i < MOST_PARTINGS && idle < 3; i++) {
+    *still = 0;
+    for (int i = 0, idle = 0; i < most && idle < 3; i++) {
         pair->r = plus(r, PARTED * pair->size - bound, n);
         Answer parted = gjk(pair, &path->simplex, rounding, MOST_STEPS);
         pair->r = r;
@@ -61,7 +63,8 @@ static Answer settle(Path *path, Answer start)
             best.a = parted.a;
             best.b = parted.b;
         }
-        if (moved <= 1e-11) break;
+        *still = moved <= 1e-11;
+        if (*still) break;
         if (i % 3 == 2) {
             V ahead = extrapolated(n, step, before);
             lowest(pair, ahead, &old);
@@ -91,6 +94,18 @@ static int half_space(const Pair *pair, Answer *answer)
     return 1;
 }
 
+/* A few partings come near enough for Newton's method; where it fails they go on. */
+static Answer settled(Path *path, Answer start)
+{
+    int still;
+    Answer near = settle(path, start, 3, &still);
+    still = still && path->pair.noise <= 2e-15 * path->pair.size; /* exact support points */
+    if (still || ascend(&path->pair, &near.normal, &near.lower, &near.a, &near.b)) return near;
+    near = settle(path, near, MOST_PARTINGS, &still);
+    if (!still) ascend(&path->pair, &near.normal, &near.lower, &near.a, &near.b);
+    return near;
+}
+
 /* Sets that overlap, or so nearly that the vector between them has no clear direction. */
 static Answer overlapping(Path *path, Answer known)
 {
@@ -114,9 +129,7 @@ static Answer overlapping(Path *path, Answer known)
                 return polished;
             }
         }
-        best = settle(path, best);
-        if (pair->dim == 3)
-            ascend(pair, path->tolerance, &best.normal, &best.lower, &best.a, &best.b);
+        best = settled(path, best);
     }
     best.upper = larger(depth.upper, best.lower);
     best.overlap = 1;
@@ -141,6 +154,17 @@ static int by_newton(Path *path, Answer *answer)
     return 1;
 }
 
+/* A normal is known to the root of twice the bracket by the distance. */
+static const double VAGUE = 1e-13;
+
+static void sharpen(Pair *pair, Answer *answer)
+{
+    Answer sharp = *answer;
+    if (!ascend(pair, &sharp.normal, &sharp.lower, &sharp.a, &sharp.b)) return;
+    sharp.upper = length(difference(pair, sharp.a, sharp.b));
+    if (sharp.upper - sharp.lower < answer->upper - answer->lower) *answer = sharp;
+}
+
 static Answer solve(Path *path)
 {
     Pair *pair = &path->pair;
@@ -163,11 +187,13 @@ static Answer solve(Path *path)
         return overlapping(path, answer);
     }
     if (answer.upper <= TOUCHING * pair->size || answer.upper - answer.lower > path->tolerance) {
-        Answer settled = settle(path, answer);
-        settled.upper = fmin(settled.upper, answer.upper);
-        if (settled.lower >= answer.lower) answer = settled;
+        int still;
+        Answer tried = settle(path, answer, MOST_PARTINGS, &still);
+        tried.upper = fmin(tried.upper, answer.upper);
+        if (tried.lower >= answer.lower) answer = tried;
     }
     if (answer.upper - answer.lower > path->tolerance) return overlapping(path, answer);
+    if (answer.upper - answer.lower > larger(VAGUE * answer.upper, 10.0 * pair->noise)) sharpen(pair, &answer);
     return answer;
 }
 #endif

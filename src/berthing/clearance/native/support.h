@@ -7,7 +7,7 @@
 enum { MOST_ROWS = 256 };
 
 /* Slack, in terms of the size, above which a smoothed polytope is approached another way. */
-static const double ASTRAY = 1e-9;
+static const double ASTRAY = 1e-13;
 
 /* By way of rounder sets, with exponents 1/64, 1/16 and 1/4 as large: each is easy from the one
    before. Those that have nothing left are passed over. */

@@ -1,0 +1,90 @@
+"""The checks of the distance table: of another order of poses, of upper bounds, of gradients."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from benchmarks import _distance_checks
+from benchmarks._distance_order import Repeated, upper_bounds_wrong
+from benchmarks._distance_poses import random_poses
+
+import berthing as bt
+from support.distances import BRACKET, DEPTH, GRADIENT
+from support.shapes import SHAPES
+
+PAIRS = [("paper-cylinder", "pillow"), ("cylinder-x", "cone"), ("inner-box", "cut-prism")]
+
+
+@pytest.mark.parametrize("names", PAIRS, ids="|".join)
+def test_another_order_gives_the_same(names: tuple[str, str]) -> None:
+    a, b = (SHAPES[name] for name in names)
+    poses = random_poses(np.random.default_rng(1), a, b, 30)
+    repeated = Repeated()
+    repeated.ask(a, b, poses, bt.distance(a, b, poses), 1)
+    assert repeated.poses in (3, 30)
+    assert repeated.upper_bounds == 10
+    assert repeated.crossed == repeated.upper_bounds_wrong == 0
+    assert repeated.apart_m <= BRACKET
+    assert repeated.overlapping_m <= DEPTH
+
+
+def test_answers_that_depend_on_the_order_are_seen() -> None:
+    a, b = SHAPES["box"], SHAPES["ellipsoid"]
+    poses = random_poses(np.random.default_rng(3), a, b, 12)
+    found = bt.distance(a, b, poses)
+    assert (found.distance > 0.0).any()
+    assert (found.distance < 0.0).any()
+    # Needles apart were once taken for overlapping: a bracket of -0.2 to -0.1 m for 0.3 m.
+    astray = replace(
+        found, lower_bound=found.upper_bound - 0.2, upper_bound=found.upper_bound - 0.1
+    )
+    repeated = Repeated()
+    repeated.compare(found, found, 1.0)
+    assert repeated.crossed == 0
+    repeated.compare(astray, found, 1.0)
+    repeated.compare(found, astray, 1.0)
+    repeated.compare(found, replace(found, distance=found.distance * np.nan), 1.0)
+    assert repeated.crossed == 36
+    repeated.compare(found, replace(found, distance=found.distance + 1e-3), 1.0)
+    assert repeated.apart_m == pytest.approx(1e-3)
+    assert repeated.overlapping_m == pytest.approx(1e-3)
+
+
+def test_false_upper_bounds_are_seen() -> None:
+    a, b = SHAPES["box"], SHAPES["ellipsoid"]
+    poses = random_poses(np.random.default_rng(3), a, b, 12)
+    found = bt.distance(a, b, poses)
+    apart = found.lower_bound > 0.0
+    assert not upper_bounds_wrong(found, a, poses[0], b, poses[1]).any()
+    low = replace(found, upper_bound=found.upper_bound - 0.1)
+    assert upper_bounds_wrong(low, a, poses[0], b, poses[1])[apart].all()
+    inwards = replace(found, point_a=found.point_b)
+    assert upper_bounds_wrong(inwards, a, poses[0], b, poses[1])[apart].all()
+    # A sample of directions sees depths that are far too large.
+    deeper = replace(found, upper_bound=found.upper_bound - 10.0)
+    assert upper_bounds_wrong(deeper, a, poses[0], b, poses[1]).all()
+
+
+HARD = [("inner-box", "cylinder-x"), ("cylinder-x", "outer-wedge"), ("cut-prism", "lampshade")]
+
+
+@pytest.mark.parametrize("names", HARD, ids="|".join)
+def test_gradients_hold_where_faces_are_nearly_flat(
+    names: tuple[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    a, b = (SHAPES[name] for name in names)
+    poses = random_poses(np.random.default_rng(9), a, b, 6)
+    error, bend = _distance_checks.gradient_errors(a, b, poses)
+    smooth = bend < _distance_checks.KINK
+    assert np.sum(smooth) >= 5
+    assert np.max(error[smooth]) < GRADIENT
+
+    def off(*given):
+        found = bt.distance(*given)
+        return replace(found, gradient_b=found.gradient_b + 2e-5)
+
+    monkeypatch.setattr(_distance_checks, "distance", off)
+    wrong, _ = _distance_checks.gradient_errors(a, b, poses)
+    assert np.min(wrong[smooth]) > GRADIENT
