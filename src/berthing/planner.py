@@ -17,6 +17,7 @@ from berthing.refine.first_answers import WAVES, Coarse, Wave
 from berthing.refine.order import order_check
 from berthing.refine.polish import polish
 from berthing.refine.refiner import Refinement, Refiner, attempt
+from berthing.refine.stepped import stepped
 from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import POLYNOMIAL, SolverOptions
 from berthing.scenario.phase import Phase
@@ -256,7 +257,8 @@ def _from_guesses(work: _Work, wave: Wave, best: Refinement | None) -> Refinemen
             candidate := search.next_candidate(_certified_cost(best), more=not astray)
         ) is not None:
             name, answer = candidate
-            refined = refine(refiner, name, found.problem, answer.motion)
+            further = stepped if wave.crowds else refine
+            refined = further(refiner, name, found.problem, answer.motion)
             work.attempts += refined.attempts
             # Where the coarse answer itself steps through things others will: share planes.
             astray = astray or (refined.astray and not refined.attempts)

@@ -16,6 +16,7 @@ from berthing.refine.refiner import BACKOFF_M
 from berthing.scenario.options import SolverOptions
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
+from berthing.solve.convex_steps import ConvexSteps, takes_steps
 from berthing.solve.ipopt import Budget, Start
 from berthing.solve.outcome import Outcome
 from berthing.solve.parallel import SolvePool
@@ -46,15 +47,23 @@ class Wave:
         patient: whether IPOPT solves it, who gives up later than our own method, and neighbouring
             nodes share planes, so that no answer steps through a wall between them.
         routed: whether its guesses are routes alone.
+        crowds: for scenes with many pairs near: planes are held, and convex steps taken.
     """
 
     suffix: str = ""
     patient: bool = True
     routed: bool = False
+    crowds: bool = False
 
 
-WAVES = (Wave(patient=False), Wave(routed=True), Wave(", again"))
+WAVES = (
+    Wave(patient=False, crowds=True), Wave(patient=False), Wave(routed=True), Wave(", again"),
+)  # fmt: skip
 """Each is for what those before it find no certified plan for."""
+
+CROWD = 6
+"""Pairs near some guess, up to which planes are variables from the start: answers are then exact
+in as little time."""
 
 PATIENT_ANSWERS = 2
 """Enough of a patient wave, in which each takes many times as long."""
@@ -94,9 +103,11 @@ class Coarse:
     def first(self, wave: Wave) -> Round | None:
         """With rows for all that the first answers come near; None where the wave has nothing new
         for this form, which is IPOPT's from the start."""
-        if wave.routed and self.options.guess != DEFAULT:
+        if (wave.routed or wave.crowds) and self.options.guess != DEFAULT:
             return None
         guessed = self._guessed(wave)
+        if wave.crowds:
+            return self._stepped(wave, guessed)
         also: set[int] = set()
         slow = False
         while True:
@@ -116,6 +127,33 @@ class Coarse:
                 return found
             found.search.pool.close()
             also, slow = known | near, slow or fast
+
+    def _stepped(self, wave: Wave, guessed: FirstMotions) -> Round | None:
+        """The coarse problem without separation rows, where convex steps are for it."""
+        scenario, phase, pairs = self.scenario, self.phase, self.scenario.pairs(self.phase)
+        first = beginning(self.options.formulation, pairs)
+        length_m = phase_scale(scenario, phase).length_m
+        motions = [motion for _, motion in guessed]
+        near = near_pairs(scenario, pairs, self.mesh, motions, ROOM * length_m)
+        if len(near) <= CROWD or first.formulation != "plane":
+            return None
+        problem = build(scenario, phase, self.mesh, [], first.formulation)
+        if not takes_steps(problem):
+            return None
+        normals = exact_normals(pairs)
+        starts = [Start(motion, normals) for motion in motions]
+        search = Search(
+            [name for name, _ in guessed],
+            SolvePool(ConvexSteps(problem, self._budget(wave)), scenario, starts, BACKOFF_M),
+            EFFORTS[self.options.effort], phase, length_m,
+            lambda name, outcome: self.note(name, problem, outcome), self.deadline,
+        )  # fmt: skip
+        try:
+            search.first_answers()
+        except BaseException:
+            search.pool.close()
+            raise
+        return Round(problem, search, slow=False)
 
     def _guessed(self, wave: Wave) -> FirstMotions:
         first = beginning(self.options.formulation, self.scenario.pairs(self.phase))

@@ -1,0 +1,41 @@
+"""Crowded scenes, planned by convex steps alone."""
+
+from __future__ import annotations
+
+import pytest
+
+from berthing.planner import plan
+from berthing.refine import first_answers
+from berthing.refine.first_answers import Coarse, Wave
+from berthing.result import CERTIFIED
+from berthing.transcription.mesh import Mesh
+from support.documents import puck, scenario, structure
+
+FIELD = [
+    structure(f"post-{i}", [1.5 + 0.5 * i, (-1) ** i * 0.75], {"type": "sphere", "radius_m": 0.3})
+    for i in range(first_answers.CROWD + 1)
+]
+
+
+@pytest.mark.slow
+def test_a_crowd_is_passed_and_certified_without_planes_as_variables() -> None:
+    result = plan(scenario(puck(), structures=FIELD))
+    assert result.outcome == CERTIFIED
+    assert result.verification is not None
+    assert result.verification.clearance_lower_bound_m >= result.verification.required_clearance_m
+
+
+def test_a_few_things_are_left_to_the_exact_form(monkeypatch) -> None:
+    def refused(*_: object) -> None:
+        raise AssertionError("convex steps were asked for")
+
+    monkeypatch.setattr(first_answers, "ConvexSteps", refused)
+    given = scenario(puck(), structures=FIELD[:1])
+    (phase,) = given.phases
+    notes: list[str] = []
+    mesh = Mesh.uniform("lgr", 3, 3)
+    coarse = Coarse(
+        given, phase, mesh, given.solver, lambda name, *_: notes.append(name), float("inf")
+    )
+    assert coarse.first(Wave(patient=False, crowds=True)) is None
+    assert notes == []
