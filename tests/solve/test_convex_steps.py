@@ -60,9 +60,15 @@ def test_a_face_along_its_plane_has_rows_for_all_its_corners() -> None:
     around = planes.around(guessed(problem), 10.0)
     plain, tilted = planes.rows(around, 0.0, -10.0), planes.rows(around, 0.2, 10.0)
     assert len(plain.gap) == plain.groups == tilted.groups
-    # What the face's own normal finds may be one of them, or another point of the face.
-    assert 4 * tilted.groups <= len(tilted.gap) <= 5 * tilted.groups
+    assert plain.tilt.shape[1] == 0
+    # Each of the four with each of the floor's, among which the plane tilts about two axes.
+    assert len(tilted.gap) == 16 * tilted.groups
+    assert tilted.tilt.shape[1] == 2 * tilted.groups
     np.testing.assert_allclose(tilted.gap, tilted.gap[0], atol=1e-9)
+    # A plane that leans by 0.01 is that much further from a corner 20 m away, to either side.
+    leaning = 0.01 * tilted.tilt[:, 0].toarray().ravel() * problem.layout.scale.length_m
+    assert np.max(leaning) > 0.15
+    assert np.min(leaning) < -0.15
     # Far from the plane they are not asked for.
     assert len(planes.rows(around, 0.2, 0.5).gap) == plain.groups
 
@@ -89,3 +95,13 @@ def test_steps_end_clear_of_things_or_say_that_they_are_not(half_width) -> None:
     values = np.asarray(problem.nlp["jac_g"](outcome.x, outcome.parameters)[0]).ravel()
     lower, upper = problem.layout.rows.bounds()
     np.testing.assert_allclose(values, np.clip(values, lower, upper), atol=1e-8)
+
+
+def test_a_round_body_touches_a_plane_in_one_point() -> None:
+    ball = {"name": "hull", "shape": {"type": "sphere", "radius_m": 1.0}}
+    post = structure("post", [5, 0, -3.0], {"type": "sphere", "radius_m": 1.5})
+    problem = posed(scenario(spacecraft(parts=[ball]), structures=[post]), 2, 2, sites=[])
+    planes = planes_of(problem)
+    rows = planes.rows(planes.around(guessed(problem), 10.0), 0.2, 10.0)
+    assert len(rows.gap) == rows.groups
+    assert rows.tilt.shape[1] == 0

@@ -105,9 +105,10 @@ class Coarse:
         for this form, which is IPOPT's from the start."""
         if (wave.routed or wave.crowds) and self.options.guess != DEFAULT:
             return None
-        guessed = self._guessed(wave)
         if wave.crowds:
-            return self._stepped(wave, guessed)
+            crowded = len(self.scenario.pairs(self.phase)) > CROWD
+            return self._stepped(wave, self._guessed(wave)) if crowded else None
+        guessed = self._guessed(wave)
         also: set[int] = set()
         slow = False
         while True:

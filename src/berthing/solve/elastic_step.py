@@ -14,6 +14,9 @@ from berthing.solve.held_planes import HeldRows
 GAP, FEASIBILITY = 1e-4, 1e-6
 """Relative: the next step makes up for what this one leaves."""
 
+HELD = 1e-6
+"""Curvature of tilts: it holds those that nothing asks for."""
+
 SOLVED = frozenset({"Solved", "AlmostSolved"})
 
 
@@ -58,7 +61,7 @@ def elastic_step(
         trust: (n,) by how much each variable may change; infinite where it may by any amount.
         seconds: wall time allowed.
     """
-    n, slacks = len(at.gradient), held.groups
+    n, slacks, tilts = len(at.gradient), held.groups, held.tilt.shape[1]
     equal = np.flatnonzero(at.lower == at.upper)
     above = np.flatnonzero((at.lower < at.upper) & np.isfinite(at.upper))
     below = np.flatnonzero((at.lower < at.upper) & np.isfinite(at.lower))
@@ -67,20 +70,22 @@ def elastic_step(
     m = len(held.gap)
     group = sparse.csr_matrix((-np.ones(m), (np.arange(m), held.group)), (m, slacks))
     J, eye = at.jacobian, sparse.identity(slacks, format="csr")
+    tilt = sparse.identity(tilts, format="csr")
     plain = sparse.vstack([J[equal], J[above], -J[below], box, -box])
-    matrix = sparse.bmat(
-        [[plain, None], [-held.slope, group], [None, -eye]] if slacks else [[plain]], format="csc"
-    )
+    blocks = [[plain, None, None], [-held.slope, -held.tilt, group], [None, None, -eye]]
+    blocks += [[None, tilt, None], [None, -tilt, None]] if tilts else []
+    matrix = sparse.bmat(blocks if slacks else [[plain]], format="csc")
     right = np.concatenate([
         at.lower[equal], at.upper[above], -at.lower[below], trust[near], trust[near],
-        held.gap, np.zeros(slacks),
+        held.gap, np.zeros(slacks), np.full(2 * tilts, held.most),
     ])  # fmt: skip
     cones = [
         clarabel.ZeroConeT(len(equal)),
         clarabel.NonnegativeConeT(len(right) - len(equal)),
     ]
-    hessian = sparse.diags(np.concatenate([at.curvature, np.zeros(slacks)]), format="csc")
-    linear = np.concatenate([at.gradient, np.full(slacks, penalty)])
+    curvature = np.concatenate([at.curvature, np.full(tilts, HELD), np.zeros(slacks)])
+    hessian = sparse.diags(curvature, format="csc")
+    linear = np.concatenate([at.gradient, np.zeros(tilts), np.full(slacks, penalty)])
     answer = clarabel.DefaultSolver(
         hessian, linear, matrix, right, cones, _settings(seconds)
     ).solve()
@@ -94,7 +99,7 @@ def elastic_step(
     multipliers[below] -= z[ends[1] : ends[2]]
     change = x[:n]
     descent = -float(at.gradient @ change + 0.5 * at.curvature @ change**2)
-    return Step(change, descent, penalty * float(np.sum(x[n:])), multipliers)
+    return Step(change, descent, penalty * float(np.sum(x[n + tilts :])), multipliers)
 
 
 def _settings(seconds: float) -> clarabel.DefaultSettings:

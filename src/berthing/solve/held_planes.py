@@ -3,15 +3,15 @@
 With the normal n held, the gap n·(p_B - p_A) - d of the two nearest points is smooth in the poses,
 and its slope is that of the distance (the envelope theorem). For bodies that only move, not turn,
 the distance is convex in the motion, so that the row errs on the safe side however far the step. A
-body that turns exchanges its nearest point for another: a face that lies along the plane has
-several at once. So the points that normals tilted a little find stand in rows of their own.
+body that turns exchanges its nearest point for another: an edge or a face that lies along the plane
+has several at once. All of these stand in rows, and the plane may tilt among them a little, or
+edges would be held as if they were faces.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain
 
 import numpy as np
 from scipy import sparse
@@ -21,6 +21,7 @@ from berthing.clearance.queried_distance import queried_distance
 from berthing.clearance.signed_distance import Flags
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
+from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.pose import Pose
 from berthing.scenario.pair import Pair
 from berthing.scenario.scenario import Scenario
@@ -28,6 +29,10 @@ from berthing.scenario.structure import Structure
 from berthing.scenario.vehicle import Vehicle
 from berthing.solve.samples import Index, Placed, Samples
 from berthing.transcription.problem import Motion
+
+ROUND = 0.25
+"""Of the tilt: a point that a tilted normal finds so far down, as a share of its distance, lies on
+a round side; half the tilt is what balls have."""
 
 SAME_POINT_M = 1e-6
 """Support points nearer than this to each other are one."""
@@ -89,12 +94,15 @@ class HeldRows:
     Attributes:
         gap: (m,). slope: (m, n) by the stored variables.
         group: (m,) rows of one pair at one instant share a slack; of ``groups``.
+        tilt: (m, t) slope by tilts of planes, each at most ``most`` to either side.
     """
 
     gap: Array
     slope: sparse.csr_matrix
     group: Index
     groups: int
+    tilt: sparse.csr_matrix
+    most: float
 
 
 class HeldPlanes:
@@ -145,10 +153,11 @@ class HeldPlanes:
         """Rows for all that is near.
 
         Args:
-            tilt: of the normals that find further support points, rad.
-            tilted_m: pairs that keep more than this beyond their margin go without those.
+            tilt: of the planes, at most, and of the normals that find further points, rad.
+            tilted_m: planes of pairs that keep more than this beyond their margin do not tilt.
         """
         entries: list[tuple[Index, Index, Array]] = []
+        turns: list[tuple[Index, Index, Array]] = []
         gaps, groups = [np.empty(0)], [np.empty(0, np.int64)]
         count = first = 0
         for one in around.near:
@@ -163,14 +172,35 @@ class HeldPlanes:
                 at, placed = one.at[which], around.placed
                 entries += self._entries(placed, pair.owner_a, pair.part_a, lines, at, -n, va)
                 entries += self._entries(placed, pair.owner_b, pair.part_b, lines, at, n, vb)
+                turns.append((lines, first + which, reach))
             first += len(one.at)
         problem = self.samples.problem
-        length_m, shape = problem.layout.scale.length_m, (count, problem.layout.variables.size)
-        slope = sparse.csr_matrix(shape)
-        if entries:
-            rows, columns, values = (np.concatenate(v) for v in zip(*entries, strict=True))
-            slope = sparse.csr_matrix((values / length_m, (rows, columns)), shape)
-        return HeldRows(np.concatenate(gaps) / length_m, slope, np.concatenate(groups), first)
+        length_m, size = problem.layout.scale.length_m, problem.layout.variables.size
+        group = np.concatenate(groups)
+        return HeldRows(
+            np.concatenate(gaps) / length_m, _matrix(entries, (count, size), length_m), group, first,
+            self._tilts(around, turns, group, count, length_m), tilt,
+        )  # fmt: skip
+
+    def _tilts(
+        self, around: Around, turns: list[tuple[Index, Index, Array]], group: Index, count: int,
+        length_m: float,
+    ) -> sparse.csr_matrix:
+        """Slopes (m, t) by tilts of the planes that more than one pair of points touches."""
+        if not turns:
+            return sparse.csr_matrix((count, 0))
+        normal = np.concatenate([one.normal for one in around.near])
+        several = np.bincount(group, minlength=len(normal)) > 1
+        number = np.cumsum(several) - 1
+        sides = _sides(normal)
+        entries = []
+        for lines, which, reach in turns:
+            tilting = several[which]
+            for k, side in enumerate(sides):
+                value = np.sum(side[which] * reach, axis=-1)[tilting]
+                column = len(sides) * number[which][tilting] + k
+                entries.append((lines[tilting], column, value))
+        return _matrix(entries, (count, len(sides) * int(np.sum(several))), length_m)
 
     def _entries(
         self, placed: Placed, owner: Vehicle | Structure, part: Part, lines: Index, at: Index,
@@ -212,44 +242,78 @@ class HeldPlanes:
 def _contacts(
     pair: Pair, one: Near, tilt: float, tilted: Flags
 ) -> Iterator[tuple[Index, Array, Array]]:
-    """(which of the instants, points of A and of B in their own frames), none of them twice."""
-    a = [one.point_a, *_supports(pair.owner_a, pair.part_a, one.pose_a, one.normal, tilt)]
-    b = [one.point_b, *_supports(pair.owner_b, pair.part_b, one.pose_b, -one.normal, tilt)]
+    """(which of the instants, points of A and of B in their own frames), none of them twice.
+
+    First the nearest points; then, where tilted normals find others, those in their place, all of
+    A's with all of B's.
+    """
     whole = np.arange(len(one.at))
-    yield whole, a[0], b[0]
-    seen = [(a[0], b[0])]
-    for va, vb in chain(((v, b[0]) for v in a[1:]), ((a[0], v) for v in b[1:])):
-        new = tilted.copy()
-        for old_a, old_b in seen:
-            apart = np.max(np.abs(va - old_a), axis=-1) + np.max(np.abs(vb - old_b), axis=-1)
-            new &= apart > SAME_POINT_M
-        seen.append((va, vb))
-        which = np.flatnonzero(new)
-        if len(which):
-            yield which, va[which], vb[which]
-
-
-def _supports(
-    owner: Vehicle | Structure, part: Part, pose: Pose, normal: Array, tilt: float
-) -> Iterator[Array]:
-    """Support points (m, d), own frame, of what turns, for tilted normals."""
-    n = pose.unrotate(normal)
-    if isinstance(owner, Structure) or not owner.model.turns:
+    if not np.any(tilted) or tilt <= 0.0:
+        yield whole, one.point_a, one.point_b
         return
+    a = _touching(pair.part_a.shape, one.pose_a.unrotate(one.normal), one.point_a, tilt)
+    b = _touching(pair.part_b.shape, one.pose_b.unrotate(-one.normal), one.point_b, tilt)
+    counts = [np.sum([new for new, _ in side], axis=0) for side in (a, b)]
+    single = ~tilted | ((counts[0] < 2) & (counts[1] < 2))
+    if np.any(single):
+        yield whole[single], one.point_a[single], one.point_b[single]
+    for new_a, va in a:
+        for new_b, vb in b:
+            which = np.flatnonzero(new_a & new_b & ~single)
+            if len(which):
+                yield which, va[which], vb[which]
+
+
+def _touching(shape: ConvexSet, n: Array, point: Array, tilt: float) -> list[tuple[Flags, Array]]:
+    """Points (m, d) in which a plane tilted by up to ``tilt`` may touch the shape, each with flags
+    (m,) of where it is one more: corners of an edge or a face that lies along the plane.
+
+    Of a round shape those move little across and drop as little: there the nearest point will do.
+    """
+    found: list[tuple[Flags, Array]] = []
     for side in _across(n):
-        yield part.shape.support(n + tilt * side)[1]
+        v = shape.support(n + tilt * side)[1]
+        new = np.ones(len(n), dtype=bool)
+        for old_new, old in found:
+            new &= ~(old_new & (np.max(np.abs(v - old), axis=-1) <= SAME_POINT_M))
+        found.append((new, v))
+    apart = [np.linalg.norm(v - point, axis=-1) for _, v in found]
+    drops = [np.sum(n * (point - v), axis=-1) for _, v in found]
+    flat = np.zeros(len(n), dtype=bool)
+    for far, drop in zip(apart, drops, strict=True):
+        flat |= (far > SAME_POINT_M) & (drop <= ROUND * tilt * far)
+    # Where the shape is round, or a corner touches, the point itself stands alone.
+    found = [(new & flat, v) for new, v in found]
+    found.append((~flat, point))
+    return found
 
 
 def _across(n: Array) -> list[Array]:
     """Vectors (m, d) across unit vectors n to all sides: two in the plane, four in space."""
+    sides = _sides(n)
+    if len(sides) == 1:
+        return [sides[0], -sides[0]]
+    u, w = sides
+    return [u + w, u - w, w - u, -u - w]
+
+
+def _sides(n: Array) -> list[Array]:
+    """Unit vectors (m, d) across unit vectors n and each other: one in the plane, two in space."""
     if n.shape[-1] == 2:
-        side = np.stack([-n[:, 1], n[:, 0]], axis=-1)
-        return [side, -side]
+        return [np.stack([-n[:, 1], n[:, 0]], axis=-1)]
     other = np.where(np.abs(n[:, :1]) < 0.6, [[1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0]])
     u = np.cross(n, other)
     u /= np.linalg.norm(u, axis=-1, keepdims=True)
-    w = np.cross(n, u)
-    return [u + w, u - w, w - u, -u - w]
+    return [u, np.cross(n, u)]
+
+
+def _matrix(
+    entries: list[tuple[Index, Index, Array]], shape: tuple[int, int], length_m: float
+) -> sparse.csr_matrix:
+    if not entries:
+        return sparse.csr_matrix(shape)
+    rows, columns, values = (np.concatenate(v) for v in zip(*entries, strict=True))
+    return sparse.csr_matrix((values / length_m, (rows, columns)), shape)
 
 
 def _slope(
