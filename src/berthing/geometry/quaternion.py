@@ -12,6 +12,16 @@ from berthing.errors import InputError
 from berthing.geometry.arrays import Array
 from berthing.geometry.convex_set import last_axis, norm
 
+# [i, j, k]: what the product of the units i and j has of the unit k.
+_PRODUCT = np.zeros((4, 4, 4))
+for _i, _j, _k, _sign in (
+    (0, 0, 0, 1), (0, 1, 1, 1), (0, 2, 2, 1), (0, 3, 3, 1),
+    (1, 0, 1, 1), (1, 1, 0, -1), (1, 2, 3, 1), (1, 3, 2, -1),
+    (2, 0, 2, 1), (2, 1, 3, -1), (2, 2, 0, -1), (2, 3, 1, 1),
+    (3, 0, 3, 1), (3, 1, 2, 1), (3, 2, 1, -1), (3, 3, 0, -1),
+):  # fmt: skip
+    _PRODUCT[_i, _j, _k] = _sign
+
 
 def normalise(q: Array) -> Array:
     """q / |q| (..., 4); InputError where q is zero or not finite."""
@@ -29,10 +39,9 @@ def conjugate(q: Array) -> Array:
 
 def multiply(p: Array, q: Array) -> Array:
     """Hamilton product p ⊗ q, so that R(p ⊗ q) = R(p) R(q)."""
-    p, q = np.broadcast_arrays(last_axis(p, 4, "quaternion p"), last_axis(q, 4, "quaternion q"))
-    scalar = p[..., 0] * q[..., 0] - np.einsum("...i,...i->...", p[..., 1:], q[..., 1:])
-    vector = p[..., :1] * q[..., 1:] + q[..., :1] * p[..., 1:] + np.cross(p[..., 1:], q[..., 1:])
-    return np.concatenate([scalar[..., None], vector], axis=-1)
+    p, q = last_axis(p, 4, "quaternion p"), last_axis(q, 4, "quaternion q")
+    by_q = (p @ _PRODUCT.reshape(4, 16)).reshape(*p.shape[:-1], 4, 4)
+    return np.asarray((q[..., None, :] @ by_q)[..., 0, :])
 
 
 def rotation_matrix(q: Array) -> Array:

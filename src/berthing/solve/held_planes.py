@@ -10,7 +10,6 @@ edges would be held as if they were faces.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,24 +17,16 @@ from scipy import sparse
 
 from berthing.clearance.compiled_distance import compiled_distance, takes
 from berthing.clearance.queried_distance import queried_distance
-from berthing.clearance.signed_distance import Flags
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
-from berthing.geometry.convex_set import ConvexSet
 from berthing.geometry.pose import Pose
 from berthing.scenario.pair import Pair
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.structure import Structure
 from berthing.scenario.vehicle import Vehicle
+from berthing.solve.contacts import Side, contacts, sides_of
 from berthing.solve.samples import Index, Placed, Samples
 from berthing.transcription.problem import Motion
-
-ROUND = 0.25
-"""Of the tilt: a point that a tilted normal finds so far down, as a share of its distance, lies on
-a round side; half the tilt is what balls have."""
-
-SAME_POINT_M = 1e-6
-"""Support points nearer than this to each other are one."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +153,7 @@ class HeldPlanes:
         count = first = 0
         for one in around.near:
             pair = self._pairs[one.pair]
-            for which, va, vb in _contacts(pair, one, tilt, one.short_m > -tilted_m):
+            for which, va, vb in contacts(*_sides(pair, one), tilt, one.short_m > -tilted_m):
                 n = one.normal[which]
                 reach = one.pose_b[which].apply(vb) - one.pose_a[which].apply(va)
                 gaps.append(np.sum(n * reach, axis=-1) - one.required_m[which])
@@ -176,11 +167,10 @@ class HeldPlanes:
             first += len(one.at)
         problem = self.samples.problem
         length_m, size = problem.layout.scale.length_m, problem.layout.variables.size
-        group = np.concatenate(groups)
-        return HeldRows(
-            np.concatenate(gaps) / length_m, _matrix(entries, (count, size), length_m), group, first,
-            self._tilts(around, turns, group, count, length_m), tilt,
-        )  # fmt: skip
+        group, gap = np.concatenate(groups), np.concatenate(gaps) / length_m
+        slope = _matrix(entries, (count, size), length_m)
+        tilts = self._tilts(around, turns, group, count, length_m)
+        return HeldRows(gap, slope, group, first, tilts, tilt)
 
     def _tilts(
         self, around: Around, turns: list[tuple[Index, Index, Array]], group: Index, count: int,
@@ -192,7 +182,7 @@ class HeldPlanes:
         normal = np.concatenate([one.normal for one in around.near])
         several = np.bincount(group, minlength=len(normal)) > 1
         number = np.cumsum(several) - 1
-        sides = _sides(normal)
+        sides = sides_of(normal)
         entries = []
         for lines, which, reach in turns:
             tilting = several[which]
@@ -239,72 +229,9 @@ class HeldPlanes:
         return self._margins[1]
 
 
-def _contacts(
-    pair: Pair, one: Near, tilt: float, tilted: Flags
-) -> Iterator[tuple[Index, Array, Array]]:
-    """(which of the instants, points of A and of B in their own frames), none of them twice.
-
-    First the nearest points; then, where tilted normals find others, those in their place, all of
-    A's with all of B's.
-    """
-    whole = np.arange(len(one.at))
-    if not np.any(tilted) or tilt <= 0.0:
-        yield whole, one.point_a, one.point_b
-        return
-    a = _touching(pair.part_a.shape, one.pose_a.unrotate(one.normal), one.point_a, tilt)
-    b = _touching(pair.part_b.shape, one.pose_b.unrotate(-one.normal), one.point_b, tilt)
-    counts = [np.sum([new for new, _ in side], axis=0) for side in (a, b)]
-    single = ~tilted | ((counts[0] < 2) & (counts[1] < 2))
-    if np.any(single):
-        yield whole[single], one.point_a[single], one.point_b[single]
-    for new_a, va in a:
-        for new_b, vb in b:
-            which = np.flatnonzero(new_a & new_b & ~single)
-            if len(which):
-                yield which, va[which], vb[which]
-
-
-def _touching(shape: ConvexSet, n: Array, point: Array, tilt: float) -> list[tuple[Flags, Array]]:
-    """Points (m, d) in which a plane tilted by up to ``tilt`` may touch the shape, each with flags
-    (m,) of where it is one more: corners of an edge or a face that lies along the plane.
-
-    Of a round shape those move little across and drop as little: there the nearest point will do.
-    """
-    found: list[tuple[Flags, Array]] = []
-    for side in _across(n):
-        v = shape.support(n + tilt * side)[1]
-        new = np.ones(len(n), dtype=bool)
-        for old_new, old in found:
-            new &= ~(old_new & (np.max(np.abs(v - old), axis=-1) <= SAME_POINT_M))
-        found.append((new, v))
-    apart = [np.linalg.norm(v - point, axis=-1) for _, v in found]
-    drops = [np.sum(n * (point - v), axis=-1) for _, v in found]
-    flat = np.zeros(len(n), dtype=bool)
-    for far, drop in zip(apart, drops, strict=True):
-        flat |= (far > SAME_POINT_M) & (drop <= ROUND * tilt * far)
-    # Where the shape is round, or a corner touches, the point itself stands alone.
-    found = [(new & flat, v) for new, v in found]
-    found.append((~flat, point))
-    return found
-
-
-def _across(n: Array) -> list[Array]:
-    """Vectors (m, d) across unit vectors n to all sides: two in the plane, four in space."""
-    sides = _sides(n)
-    if len(sides) == 1:
-        return [sides[0], -sides[0]]
-    u, w = sides
-    return [u + w, u - w, w - u, -u - w]
-
-
-def _sides(n: Array) -> list[Array]:
-    """Unit vectors (m, d) across unit vectors n and each other: one in the plane, two in space."""
-    if n.shape[-1] == 2:
-        return [np.stack([-n[:, 1], n[:, 0]], axis=-1)]
-    other = np.where(np.abs(n[:, :1]) < 0.6, [[1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0]])
-    u = np.cross(n, other)
-    u /= np.linalg.norm(u, axis=-1, keepdims=True)
-    return [u, np.cross(n, u)]
+def _sides(pair: Pair, one: Near) -> tuple[Side, Side]:
+    a, b = one.pose_a.unrotate(one.normal), one.pose_b.unrotate(-one.normal)
+    return Side(pair.part_a.shape, a, one.point_a), Side(pair.part_b.shape, b, one.point_b)
 
 
 def _matrix(

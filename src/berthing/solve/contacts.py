@@ -1,0 +1,102 @@
+"""Points in which a plane touches a convex set, or may when it tilts a little."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from berthing.clearance.signed_distance import Flags
+from berthing.geometry.arrays import Array
+from berthing.geometry.convex_set import ConvexSet
+from berthing.solve.samples import Index
+
+ROUND = 0.25
+"""Of the tilt: a point that a tilted normal finds so far down, as a share of its distance, lies on
+a round side; half the tilt is what balls have."""
+
+SAME_POINT_M = 1e-6
+"""Support points nearer than this to each other are one."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """One set of a pair at m instants, in its own frame.
+
+    Attributes:
+        normal: unit (m, d), towards the other set.
+        point: (m, d), nearest to the other set.
+    """
+
+    shape: ConvexSet
+    normal: Array
+    point: Array
+
+
+def contacts(
+    a: Side, b: Side, tilt: float, tilted: Flags
+) -> Iterator[tuple[Index, Array, Array]]:
+    """(which of the instants, points of A and of B in their own frames), none of them twice.
+
+    First the nearest points; then, where tilted normals find others, those in their place, all of
+    A's with all of B's.
+    """
+    whole = np.arange(len(tilted))
+    if not np.any(tilted) or tilt <= 0.0:
+        yield whole, a.point, b.point
+        return
+    of_a, of_b = _touching(a, tilt), _touching(b, tilt)
+    counts = [np.sum([new for new, _ in side], axis=0) for side in (of_a, of_b)]
+    single = ~tilted | ((counts[0] < 2) & (counts[1] < 2))
+    if np.any(single):
+        yield whole[single], a.point[single], b.point[single]
+    for new_a, va in of_a:
+        for new_b, vb in of_b:
+            which = np.flatnonzero(new_a & new_b & ~single)
+            if len(which):
+                yield which, va[which], vb[which]
+
+
+def _touching(side: Side, tilt: float) -> list[tuple[Flags, Array]]:
+    """Points (m, d) in which a plane tilted by up to ``tilt`` may touch the shape, each with flags
+    (m,) of where it is one more: corners of an edge or a face that lies along the plane.
+
+    Of a round shape those move little across and drop as little: there the nearest point will do.
+    """
+    found: list[tuple[Flags, Array]] = []
+    n, point = side.normal, side.point
+    for lean in _across(n):
+        v = side.shape.support(n + tilt * lean)[1]
+        new = np.ones(len(n), dtype=bool)
+        for old_new, old in found:
+            new &= ~(old_new & (np.max(np.abs(v - old), axis=-1) <= SAME_POINT_M))
+        found.append((new, v))
+    apart = [np.linalg.norm(v - point, axis=-1) for _, v in found]
+    drops = [np.sum(n * (point - v), axis=-1) for _, v in found]
+    flat = np.zeros(len(n), dtype=bool)
+    for far, drop in zip(apart, drops, strict=True):
+        flat |= (far > SAME_POINT_M) & (drop <= ROUND * tilt * far)
+    # Where the shape is round, or a corner touches, the point itself stands alone.
+    found = [(new & flat, v) for new, v in found]
+    found.append((~flat, point))
+    return found
+
+
+def _across(n: Array) -> list[Array]:
+    """Vectors (m, d) across unit vectors n to all sides: two in the plane, four in space."""
+    sides = sides_of(n)
+    if len(sides) == 1:
+        return [sides[0], -sides[0]]
+    u, w = sides
+    return [u + w, u - w, w - u, -u - w]
+
+
+def sides_of(n: Array) -> list[Array]:
+    """Unit vectors (m, d) across unit vectors n and each other: one in the plane, two in space."""
+    if n.shape[-1] == 2:
+        return [np.stack([-n[:, 1], n[:, 0]], axis=-1)]
+    other = np.where(np.abs(n[:, :1]) < 0.6, [[1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0]])
+    u = np.cross(n, other)
+    u /= np.linalg.norm(u, axis=-1, keepdims=True)
+    return [u, np.cross(n, u)]
