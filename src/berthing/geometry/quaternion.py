@@ -12,16 +12,6 @@ from berthing.errors import InputError
 from berthing.geometry.arrays import Array
 from berthing.geometry.convex_set import last_axis, norm
 
-# [i, j, k]: what the product of the units i and j has of the unit k.
-_PRODUCT = np.zeros((4, 4, 4))
-for _i, _j, _k, _sign in (
-    (0, 0, 0, 1), (0, 1, 1, 1), (0, 2, 2, 1), (0, 3, 3, 1),
-    (1, 0, 1, 1), (1, 1, 0, -1), (1, 2, 3, 1), (1, 3, 2, -1),
-    (2, 0, 2, 1), (2, 1, 3, -1), (2, 2, 0, -1), (2, 3, 1, 1),
-    (3, 0, 3, 1), (3, 1, 2, 1), (3, 2, 1, -1), (3, 3, 0, -1),
-):  # fmt: skip
-    _PRODUCT[_i, _j, _k] = _sign
-
 
 def normalise(q: Array) -> Array:
     """q / |q| (..., 4); InputError where q is zero or not finite."""
@@ -40,8 +30,16 @@ def conjugate(q: Array) -> Array:
 def multiply(p: Array, q: Array) -> Array:
     """Hamilton product p ⊗ q, so that R(p ⊗ q) = R(p) R(q)."""
     p, q = last_axis(p, 4, "quaternion p"), last_axis(q, 4, "quaternion q")
-    by_q = (p @ _PRODUCT.reshape(4, 16)).reshape(*p.shape[:-1], 4, 4)
-    return np.asarray((q[..., None, :] @ by_q)[..., 0, :])
+    a, b, c, d = p[..., 0], p[..., 1], p[..., 2], p[..., 3]
+    w, x, y, z = q[..., 0], q[..., 1], q[..., 2], q[..., 3]
+    # Component by component: several times faster than a cross product for one, as in
+    # searches, and what cancels does so exactly.
+    out = np.empty((*np.broadcast_shapes(p.shape[:-1], q.shape[:-1]), 4))
+    out[..., 0] = a * w - (b * x + c * y + d * z)
+    out[..., 1] = (a * x + w * b) + (c * z - d * y)
+    out[..., 2] = (a * y + w * c) + (d * x - b * z)
+    out[..., 3] = (a * z + w * d) + (b * y - c * x)
+    return out
 
 
 def rotation_matrix(q: Array) -> Array:

@@ -34,11 +34,14 @@ from berthing.solve.outcome import (
 from berthing.solve.samples import Index, Samples, spread_evenly
 from berthing.transcription.problem import Problem
 
-PENALTY = 1e3
+PENALTY = 50.0
 """Of a unit of overlap at a node, against a cost of order one: above the multipliers seen."""
 
 BETWEEN = 1
 """Samples between two points of the mesh."""
+
+STIFFER, STIFFEST = 3.0, 1e4
+"""Factor of the penalty where steps settle on an overlap, and the most that it may be."""
 
 FIRST, LARGEST, LEAST = 0.1, 0.25, 1e-4
 """Trust region: of positions in lengths of the scenario, of quaternions."""
@@ -55,7 +58,10 @@ LOOK = 0.25
 ROOM_M = 0.02
 """Pairs nearer than this have rows whatever the step before was."""
 
-TILT = 0.25
+TILTED_M = 0.15
+"""Pairs that keep more than this beyond their margin are held by planes that do not tilt."""
+
+TILT = 0.1
 """Of normals that find further support points, at most, rad."""
 
 SETTLED = 1e-2
@@ -185,15 +191,19 @@ class _Run:
                 region *= SHRINK
             else:
                 at, region = self._taken(at, step, region)
-            if self._settled(at, step) or region < LEAST:
+            if region < LEAST:
                 break
+            if step is not None and abs(step.descent) <= self.solver.settled * abs(at.f):
+                if at.around.worst_m <= self.solver.met_m:
+                    break
+                self.penalty = min(STIFFER * self.penalty, STIFFEST)
         if status == ITERATION_LIMIT:
             status = SOLVED if at.around.worst_m <= self.solver.met_m else LOCALLY_INFEASIBLE
         return self._outcome(at, status, count)
 
     def _step(self, at: _Point, region: float | None, seconds: float) -> Step | None:
-        tilt = TILT if region is None else min(TILT, 2.0 * region)
-        held = self.planes.rows(at.around, tilt, 0.5 * at.around.reach_m)
+        tilt = TILT if region is None else min(TILT, region)
+        held = self.planes.rows(at.around, tilt, min(0.5 * at.around.reach_m, TILTED_M))
         linearised = self._linearise(at)
         step = elastic_step(linearised, held, self.penalty, self._trust(region), seconds)
         if step is not None:
@@ -216,10 +226,6 @@ class _Run:
             return new, min(GROW * region, LARGEST) if gain >= GOOD * promised else region
         near = self.planes.around(at.around.motion, reach_m)
         return replace(at, around=near), SHRINK * region
-
-    def _settled(self, at: _Point, step: Step | None) -> bool:
-        gains = step is None or abs(step.descent) > self.solver.settled * abs(at.f)
-        return not gains and at.around.worst_m <= self.solver.met_m
 
     def _point(self, x: Array, reach_m: float) -> _Point:
         f, g = self.solver.evaluation.value(x)
