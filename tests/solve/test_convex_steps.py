@@ -7,7 +7,7 @@ import pytest
 
 from berthing.guess.normals import exact_normals
 from berthing.scenario.files import load
-from berthing.solve.convex_steps import ConvexSteps
+from berthing.solve.convex_steps import MET_M, ConvexSteps
 from berthing.solve.held_planes import HeldPlanes
 from berthing.solve.ipopt import Budget, Start
 from berthing.solve.outcome import LOCALLY_INFEASIBLE, SOLVED
@@ -77,7 +77,8 @@ def test_a_face_along_its_plane_has_rows_for_all_its_corners() -> None:
 def test_steps_end_clear_of_things_or_say_that_they_are_not(half_width) -> None:
     things = [POST]
     if half_width:
-        things = [structure("wall", [3, 0.1], box(0.4, 2.0 * half_width))]
+        # Thicker than any step from one sample to the next.
+        things = [structure("wall", [3, 0.1], box(3.0, 2.0 * half_width))]
     problem = posed(scenario(puck(), structures=things), 4, 3, sites=[])
     start = Start(guessed(problem, 0), exact_normals(problem.pairs))
     outcome = ConvexSteps(problem, Budget(30, 30.0)).solve(
@@ -86,10 +87,10 @@ def test_steps_end_clear_of_things_or_say_that_they_are_not(half_width) -> None:
     left = planes_of(problem).around(outcome.motion, 1.0)
     if half_width:
         assert outcome.status == LOCALLY_INFEASIBLE
-        assert left.worst_m > 0.1
+        assert left.worst_m > MET_M
         return
     assert outcome.status == SOLVED
-    assert left.worst_m <= 1e-3
+    assert left.worst_m <= MET_M
     rows = problem.nlp["g"]
     assert rows.numel() == len(outcome.multipliers)
     values = np.asarray(problem.nlp["jac_g"](outcome.x, outcome.parameters)[0]).ravel()
