@@ -79,7 +79,7 @@ def test_steps_end_clear_of_things_or_say_that_they_are_not(half_width) -> None:
     if half_width:
         # Thicker than any step from one sample to the next.
         things = [structure("wall", [3, 0.1], box(3.0, 2.0 * half_width))]
-    problem = posed(scenario(puck(), structures=things), 4, 3, sites=[])
+    problem = posed(scenario(puck(limits={"max_force_n": 0.01}), structures=things), 4, 3, sites=[])
     start = Start(guessed(problem, 0), exact_normals(problem.pairs))
     outcome = ConvexSteps(problem, Budget(30, 30.0)).solve(
         problem.scenario, start, backoff_m=BACKOFF_M
