@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from berthing.clearance.compiled_distance import compiled_distance, takes
 from berthing.clearance.separation import PairQuery
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
@@ -25,5 +26,9 @@ def distances_along(a: Part, body_a: Pose, b: Part, body_b: Pose, near_m: float)
         placed_a, placed_b = (
             body[near].compose(part.placement) for body, part in ((body_a, a), (body_b, b))
         )
-        distances[near] = PairQuery(a.shape, b.shape).batch(placed_a, placed_b)[0]
+        if takes(a.shape, b.shape):
+            found = compiled_distance(a.shape, placed_a, b.shape, placed_b).distance
+        else:
+            found = PairQuery(a.shape, b.shape).batch(placed_a, placed_b)[0]
+        distances[near] = found
     return np.asarray(distances)

@@ -25,6 +25,9 @@ SHARE = 0.25
 LONGEST_S = 60.0
 """Of a search where there is no time limit: routes that are found take some seconds at most."""
 
+SHORTCUTS = 40
+"""Tried on a route: what it is a guess of is made shorter by other means."""
+
 ANY_WAY = ("rigid-body", "point-mass", "free-flyer")
 """Models that can go and turn in any direction."""
 
@@ -67,7 +70,8 @@ def _guess(scenario: Scenario, phase: Phase, key: tuple[int, int], limit_s: floa
     seed, i = key
     try:
         answer = route(
-            scenario, seed=SEEDS * seed + i, time_limit_s=max(min(limit_s, LONGEST_S), 1e-3)
+            scenario, seed=SEEDS * seed + i, time_limit_s=max(min(limit_s, LONGEST_S), 1e-3),
+            shortcuts=SHORTCUTS,
         )
     except BerthingError:
         # Ends that keep a margin at their own times alone.

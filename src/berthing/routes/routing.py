@@ -17,7 +17,7 @@ from berthing.routes.legs import Legs
 from berthing.routes.proven import proven
 from berthing.routes.region import Region
 from berthing.routes.resting import at_rest
-from berthing.routes.shorten import shortened
+from berthing.routes.shorten import TRIES, shortened
 from berthing.routes.sliding import Slider
 from berthing.routes.space import stride
 from berthing.routes.trees import Trees
@@ -105,6 +105,7 @@ def route(
     classes: int = 1,
     time_limit_s: float | None = None,
     progress: Progress | None = None,
+    shortcuts: int = TRIES,
 ) -> Routes:
     """Find ways for the vehicles of a scenario, and prove them.
 
@@ -117,6 +118,7 @@ def route(
         classes: how many ways that cannot be swept into each other by straight strides.
         time_limit_s: wall time allowed; None for as long as the searches take.
         progress: is told what goes on.
+        shortcuts: that are tried on a path: fewer of them leave it longer, sooner.
 
     Raises:
         InputError: a scenario of several phases, structures that move apart or a goal that does
@@ -129,6 +131,7 @@ def route(
     checker = Checker(still)
     start, goal = ends_of(checker, np.random.default_rng(seed))
     search = _Searches(checker, start, goal, seed, began + (time_limit_s or np.inf), progress)
+    search.shortcuts = shortcuts
     search.run(classes)
     outcome = CERTIFIED if search.routes else TIME_LIMIT if search.late else ITERATION_LIMIT
     names = tuple(own.name for own in checker.vehicles)
@@ -158,6 +161,7 @@ class _Searches:
         self._seed, self._deadline, self._progress = seed, deadline, progress
         self.routes: list[Route] = []
         self.made: list[Search] = []
+        self.shortcuts = TRIES
 
     @property
     def late(self) -> bool:
@@ -193,7 +197,8 @@ class _Searches:
         if path is None:
             return "nothing"
         self._say("prove", f"{len(path)} states")
-        for candidate in (shortened(checker, path, pad_m, region, rng), path):
+        short = shortened(checker, path, pad_m, region, rng, self.shortcuts)
+        for candidate in (short, path):
             states, legs = proven(checker, slider, candidate)
             if legs.certified:
                 return self._keep(states, legs)

@@ -19,12 +19,13 @@ WORTH = 1e-3
 
 
 def shortened(
-    checker: Checker, path: Array, pad_m: float, region: Region, rng: np.random.Generator
-) -> Array:
+    checker: Checker, path: Array, pad_m: float, region: Region, rng: np.random.Generator,
+    tries: int = TRIES,
+) -> Array:  # fmt: skip
     """The path (n + 1, V, 7) with straight shortcuts that are clear, pad included, at samples."""
     path = _halved(checker, path, pad_m, region)
     lengths = checker.space.length(stride(path[:-1], path[1:]))
-    for _ in range(TRIES):
+    for _ in range(tries):
         if len(path) < 3:
             break
         along = np.concatenate([[0.0], np.cumsum(lengths)])

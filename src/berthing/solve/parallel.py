@@ -77,7 +77,7 @@ class SolvePool:
             (index of the start, outcome); a child that died without an answer is left out.
         """
         if cores() < 2 or not hasattr(os, "fork"):
-            return [self._solve_here()] if self._queue and timeout_s is None else []
+            return [self._solve_here()] if self._queue and timeout_s != 0.0 else []
         while self._queue and len(self._running) < at_once:
             self._launch(self._queue.pop(0))
         found = []
