@@ -174,14 +174,10 @@ static Answer solve(Path *path)
     if (newton_knows && !answer.overlap) return answer;
     Answer found = gjk(pair, &path->simplex, pair->noise, MOST_STEPS);
     /* From the last pose's points Newton may get to where sets apart look as if they overlapped. */
-    if (newton_knows && found.overlap) {
-        path->simplex.n = 0;
-        return overlapping(path, answer);
-    }
+    if (newton_knows && found.overlap) return overlapping(path, answer);
     path->closest.known = 0;
     answer = found;
     if (answer.overlap) {
-        path->simplex.n = 0;
         answer.lower = -INFINITY;
         answer.upper = 0.0;
         return overlapping(path, answer);
