@@ -123,7 +123,7 @@ static int ascend(Pair *pair, V *n, double *bound, V *a, V *b)
         lowest(pair, f.n, &f.bound);
         stand_on(&f, &v);
     }
-    if (length(f.off) > 1e-8 * pair->size || !(f.bound >= *bound - 100.0 * pair->noise)) return 0;
+    if (!(length(f.off) <= 1e-8 * pair->size) || !(f.bound >= *bound - 100.0 * pair->noise)) return 0;
     *n = f.n;
     *bound = f.bound;
     *a = f.a;

@@ -38,7 +38,11 @@ static int look_beside(Pair *pair, Kink *k, double angle)
 }
 
 /* The part of the high member in the point between both that has nothing along e. */
-static double part_of(const Kink *k) { return below(k) / (below(k) - above(k)); }
+static double part_of(const Kink *k)
+{
+    double gap = below(k) - above(k);
+    return gap > 0.0 ? below(k) / gap : 0.5;
+}
 
 /* Faces that are but nearly flat have no kink: their members close up as one looks closer, and the
    normal is where what lies between them has nothing along e. */
