@@ -9,15 +9,21 @@ import pytest
 from benchmarks import _distance_checks
 from benchmarks._distance_order import Repeated, upper_bounds_wrong
 from benchmarks._distance_poses import random_poses
+from benchmarks._distance_sets import SPACE, TILTED
 
 import berthing as bt
+from berthing.geometry.half_space import HalfSpace
 from support.distances import BRACKET, DEPTH, GRADIENT
 from support.shapes import SHAPES
 
-PAIRS = [("paper-cylinder", "pillow"), ("cylinder-x", "cone"), ("inner-box", "cut-prism")]
+PAIRS = [
+    ("paper-cylinder", "pillow"),
+    ("cylinder-x", "cone"),
+    pytest.param(("inner-box", "cut-cylinder"), marks=pytest.mark.slow),
+]
 
 
-@pytest.mark.parametrize("names", PAIRS, ids="|".join)
+@pytest.mark.parametrize("names", PAIRS)
 def test_another_order_gives_the_same(names: tuple[str, str]) -> None:
     a, b = (SHAPES[name] for name in names)
     poses = random_poses(np.random.default_rng(1), a, b, 30)
@@ -67,19 +73,23 @@ def test_false_upper_bounds_are_seen() -> None:
     assert upper_bounds_wrong(deeper, a, poses[0], b, poses[1]).all()
 
 
-HARD = [("inner-box", "cylinder-x"), ("cylinder-x", "outer-wedge"), ("cut-prism", "lampshade")]
+# One pose each, of these seeds, at which less exact normals and points were off by 3e-5 to 2e-4.
+HARD = [
+    ("smoothed box", "cylinder", 456),
+    pytest.param("cut cylinder", "lampshade", 11, marks=pytest.mark.slow),
+]
 
 
-@pytest.mark.parametrize("names", HARD, ids="|".join)
-def test_gradients_hold_where_faces_are_nearly_flat(
-    names: tuple[str, str], monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(("first", "second", "seed"), HARD)
+def test_gradients_hold_where_normals_are_hard_to_find(
+    first: str, second: str, seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    a, b = (SHAPES[name] for name in names)
-    poses = random_poses(np.random.default_rng(9), a, b, 6)
+    a, b = SPACE[first], SPACE[second]
+    poses = random_poses(np.random.default_rng(seed), a, b, 1)
     error, bend = _distance_checks.gradient_errors(a, b, poses)
     smooth = bend < _distance_checks.KINK
-    assert np.sum(smooth) >= 5
-    assert np.max(error[smooth]) < GRADIENT
+    assert smooth.all()
+    assert np.max(error) < GRADIENT
 
     def off(*given):
         found = bt.distance(*given)
@@ -87,4 +97,16 @@ def test_gradients_hold_where_faces_are_nearly_flat(
 
     monkeypatch.setattr(_distance_checks, "distance", off)
     wrong, _ = _distance_checks.gradient_errors(a, b, poses)
-    assert np.min(wrong[smooth]) > GRADIENT
+    assert np.min(wrong) > GRADIENT
+
+
+def test_support_points_are_exact_beside_the_normals_of_faces() -> None:
+    """The bracket to a wall is what the support point leaves open. Interior-point methods alone
+    leave 1e-8 m where the wall is turned by 1e-9 rad from a face that ends in arcs."""
+    shape, rng = SPACE["cut cylinder"], np.random.default_rng(8)
+    at = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    for face in (*TILTED.rotation.T, *-TILTED.rotation.T):
+        for angle in (1e-6, 1e-7, 1e-8, 1e-9):
+            wall = HalfSpace(face + angle * rng.normal(size=3), -3.0)
+            found = bt.distance(shape, wall, at)
+            assert found.upper_bound - found.lower_bound < 1e-12
