@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import casadi as ca
 import numpy as np
@@ -22,6 +23,7 @@ from berthing.transcription.mesh import Mesh
 from berthing.transcription.packing import Block, Packing
 from berthing.transcription.rows import RowBook
 from berthing.transcription.scaling import PhaseScale, VehicleScale
+from berthing.transcription.scheme import scheme
 
 
 @dataclass(frozen=True)
@@ -105,10 +107,16 @@ class PhaseLayout:
 
     def interpolation(self, k: int, s: float) -> tuple[Index, Array]:
         """Points and weights that give a state at the local coordinate s of segment k."""
-        nodes, offset = self.mesh.node_set(k), self.mesh.point_offset(k)
-        weights = interpolation_matrix(nodes.points, np.array([s]))[0]
-        used = np.flatnonzero(weights)
-        return offset + used, weights[used]
+        used, weights = _used_points(self.mesh.scheme, self.mesh.degrees[k], s)
+        return self.mesh.point_offset(k) + used, weights
+
+
+@lru_cache(maxsize=4096)
+def _used_points(scheme_name: str, degree: int, s: float) -> tuple[Index, Array]:
+    """Points of a segment that count at s, and their weights."""
+    weights = interpolation_matrix(scheme(scheme_name)(degree).points, np.array([s]))[0]
+    used = np.flatnonzero(weights)
+    return used, weights[used]
 
 
 def state_name(phase: str, vehicle: str) -> str:

@@ -102,7 +102,12 @@ class Packing:
 
 
 def _grid(value: npt.ArrayLike, shape: tuple[int, int]) -> Array:
+    if isinstance(value, float):
+        # By far the commonest, and told apart much sooner than broadcast.
+        return np.full(shape, value)
     array = np.asarray(value, dtype=np.float64)
+    if array.shape == shape:
+        return array.copy()
     if array.ndim == 1:
         array = array[:, None]
     return np.array(np.broadcast_to(array, shape))

@@ -212,11 +212,7 @@ class Problem:
             here = [i for i, site in enumerate(sites) if site.pair == p]
             if not here:
                 continue
-            a, b = (
-                self._poses(scenario, motion, owner, [sites[i] for i in here], times[here])
-                .compose(part.placement)
-                for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
-            )  # fmt: skip
+            a, b = self._part_poses(scenario, motion, pair, [sites[i] for i in here], times[here])
             starts = form.start(a, b, normals(p, a, b), eps)
             values.update({self.separation.blocks[i]: v for i, v in zip(here, starts, strict=True)})
         return values
@@ -226,18 +222,27 @@ class Problem:
     ) -> dict[str, Array]:
         """Starting values of every sweep, its plane being that of its first site."""
         sites, out = self.separation.sites, {}
-        for sweep in self.sweeps:
-            last = sites[sweep.last]
-            pair, form = self.pairs[last.pair], self.formulations[last.pair]
-            t = site_times([last], self.mesh, self.layout.t0_s, motion.duration_s)
-            a, b = (
-                self._poses(scenario, motion, owner, [last], t).compose(part.placement)[0]
-                for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
-            )
+        lasts = [sites[sweep.last] for sweep in self.sweeps]
+        times = site_times(lasts, self.mesh, self.layout.t0_s, motion.duration_s)
+        for p, (pair, form) in enumerate(zip(self.pairs, self.formulations, strict=True)):
+            here = [i for i, site in enumerate(lasts) if site.pair == p]
+            if not here:
+                continue
             assert isinstance(form, Sweeping)
-            plane = values[self.separation.blocks[sweep.first]]
-            out[sweep.block] = form.sweep_start(plane, a, b)
+            a, b = self._part_poses(scenario, motion, pair, [lasts[i] for i in here], times[here])
+            for k, i in enumerate(here):
+                plane = values[self.separation.blocks[self.sweeps[i].first]]
+                out[self.sweeps[i].block] = form.sweep_start(plane, a[k], b[k])
         return out
+
+    def _part_poses(
+        self, scenario: Scenario, motion: Motion, pair: Pair, sites: Sequence[Site], times_s: Array
+    ) -> tuple[Pose, Pose]:
+        a, b = (
+            self._poses(scenario, motion, owner, sites, times_s).compose(part.placement)
+            for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
+        )
+        return a, b
 
     def _poses(
         self, scenario: Scenario, motion: Motion, owner: Vehicle | Structure,
