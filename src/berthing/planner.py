@@ -16,8 +16,9 @@ from berthing.refine.curvature import second_order
 from berthing.refine.first_answers import WAVES, Coarse, Wave
 from berthing.refine.order import order_check
 from berthing.refine.polish import polish
-from berthing.refine.refiner import Refinement, Refiner, attempt
+from berthing.refine.refiner import Finish, Refinement, Refiner, attempt
 from berthing.refine.stepped import stepped
+from berthing.refine.touching import FORMULATION, finished
 from berthing.result import Attempt, ProgressEvent, Result
 from berthing.scenario.options import POLYNOMIAL, SolverOptions
 from berthing.scenario.phase import Phase
@@ -174,15 +175,23 @@ class _Work:
         return Refiner(
             self.scenario, self.phase, self.mesh(FINE_SEGMENTS), self.options.formulation,
             self.options.seed, report, self.deadline, slow=slow, guarded=guarded,
+            finish=self.finish,
         )  # fmt: skip
+
+    @property
+    def finish(self) -> Finish | None:
+        """Rows at touches, for the form that they are for; to close in on touches, sites do."""
+        plain = self.options.formulation == FORMULATION and self.options.tolerance is None
+        return finished if plain and not self.smaller else None
 
     def judge(self, best: Refinement) -> None:
         """Give the plan the better of the costates at hand, and find how near it is to optimal."""
         if best.plan is not None and best.verification is not None:
             best.plan, self.extremality = with_best_costates(self.scenario, best.plan)
             best.verification = with_costates_of(self.scenario, best.plan, best.verification)
-        if best.answer is not None and best.answer.outcome is best.outcome:
-            self.second_order = second_order(best.answer)
+        answer = best.finished or best.answer
+        if answer is not None and answer.outcome is best.outcome:
+            self.second_order = second_order(answer)
 
     def fly(self, best: Refinement) -> None:
         """In place of the plan the one that flies with the controls asked for, checked anew."""

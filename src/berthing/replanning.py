@@ -44,6 +44,10 @@ SWEEP_NODES = 0.42
 TOUCHES, SITES = "touches", "sites"
 """Where rows stand."""
 
+ALIKE = 0.01
+"""By which costs of one plan with rows at sites and at touches may differ; where it is more, what
+held the plan was no touch, and without it the answer is another."""
+
 INSIDE_MARGIN = "inside_margin"
 """Outcome where the vehicle is closer to something than its margin, yet apart from it."""
 
@@ -164,7 +168,9 @@ class Planner:
                 problem.separation.sites, answer,
             )  # fmt: skip
             touched = self._with_rows_at_touches(self.scenario, 0.0, made)
-            self._last = replace(made, touched=touched)
+            if touched is not None and abs(touched.outcome.cost / result.plan.cost - 1.0) < ALIKE:
+                made = replace(made, touched=touched)
+            self._last = made
         return result
 
     def replan(

@@ -119,3 +119,16 @@ def test_planes_that_are_bent_the_wrong_way_are_no_minimum(passing) -> None:
     assert got is not None
     assert got.negative > 0
     assert not got.minimum
+
+
+@pytest.mark.parametrize(("sign", "negative"), [(1.0, 0), (-1.0, 1)], ids=["least", "greatest"])
+def test_instants_are_not_asked_to_be_least_costs(sign: float, negative: int) -> None:
+    # x near 1 with a gap of 2, x + sign (s - 1)², at its stationary instant s = 1.
+    nlp = of_two(lambda x, s: (x - 1) ** 2, lambda x, s: [x + sign * (s - 1) ** 2])
+    bounds = Bounds.of(np.array([2.0]), np.array([np.inf]))
+    got = curvatures(
+        Evaluation(nlp), bounds, np.array([2.0, 1.0]), np.array([-2.0]),
+        lambda corner: ([], []), np.array([1]),
+    )  # fmt: skip
+    assert got is not None
+    assert (got.variables, got.negative) == (1, negative)

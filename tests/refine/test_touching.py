@@ -6,11 +6,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from berthing.planner import plan_with_answer
-from berthing.refine.refiner import BACKOFF_M, make_plan
+from berthing.planner import FINE_SEGMENTS, plan_with_answer
+from berthing.refine.refiner import BACKOFF_M, Refiner, Step, make_plan
 from berthing.refine.touching import Touched, Touching, touch_sites
+from berthing.result import Result
 from berthing.scenario.clock import begun_at
 from berthing.scenario.scenario import Scenario
+from berthing.solve.ipopt import Answer
 from berthing.trajectory import Plan
 from berthing.transcription.extract import trajectories
 from berthing.transcription.mesh import Mesh
@@ -24,10 +26,16 @@ REACH_M = 0.5 + 0.6 + 0.1 + BACKOFF_M
 
 
 @pytest.fixture(scope="module")
-def planned() -> tuple[Plan, Mesh, Motion]:
+def found() -> tuple[Result, Answer]:
     result, answer = plan_with_answer(GIVEN)
-    assert result.plan is not None
     assert answer is not None
+    return result, answer
+
+
+@pytest.fixture(scope="module")
+def planned(found: tuple[Result, Answer]) -> tuple[Plan, Mesh, Motion]:
+    result, answer = found
+    assert result.plan is not None
     return result.plan, answer.problem.mesh, answer.outcome.motion
 
 
@@ -92,6 +100,36 @@ def test_an_instant_hops_to_the_next_segment(first: Touched) -> None:
         assert np.min(everywhere) > REACH_M - 1e-8
         segments.add(site.segment)
     assert len(segments) == 2
+
+
+def test_plans_are_finished_at_their_touches(found: tuple[Result, Answer]) -> None:
+    result, _ = found
+    assert result.attempts[-1].guess.endswith("round 1, at touches")
+    assert result.second_order is not None
+    assert (result.second_order.negative, result.second_order.flat) == (0, 0)
+
+
+def test_what_is_not_certified_goes_on_in_rounds(found: tuple[Result, Answer]) -> None:
+    _, answer = found
+    phase, mesh = GIVEN.phases[0], Mesh.uniform("lgr", FINE_SEGMENTS, 4)
+
+    def through(scenario: Scenario, step: Step) -> Answer | None:
+        """The way there would be without the post."""
+        touched = Touching.build(scenario, phase, step.problem.mesh, []).first(
+            scenario, step.outcome.motion
+        )
+        return None if touched is None else touched.answer
+
+    refiner = Refiner(
+        GIVEN, phase, mesh, "plane", 0, lambda *_: None, float("inf"), finish=through
+    )
+    refined = refiner.run("test", answer.problem, answer.outcome.motion)
+    names = [attempt.guess for attempt in refined.attempts]
+    assert names[:3] == [
+        "test, round 1, roughly", "test, round 1, at touches", "test, round 1",
+    ]  # fmt: skip
+    assert refined.certified
+    assert refined.finished is None
 
 
 def test_far_from_an_answer_there_is_none(first: Touched) -> None:

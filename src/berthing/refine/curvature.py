@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+import numpy.typing as npt
 import qdldl
 from scipy import sparse
 
@@ -29,6 +30,10 @@ from berthing.solve.ipopt import Answer
 from berthing.transcription.elements import Index
 from berthing.transcription.problem import Problem
 from berthing.verify.second_order import SecondOrder
+
+NONE: Index = np.empty(0, dtype=np.int64)
+
+Mask = npt.NDArray[np.bool_]
 
 Idle = Callable[[Array], tuple[list[int], list[int]]]
 
@@ -56,29 +61,37 @@ def second_order(answer: Answer) -> SecondOrder | None:
     evaluation = Evaluation(problem.nlp, bounded)
     evaluation.at(outcome.parameters)
     y = np.append(outcome.multipliers, outcome.bound_multipliers[bounded])
-    return curvatures(evaluation, bounds, outcome.x, y, lambda corner: _idle(answer, corner))
+    blocks = problem.layout.variables.blocks
+    instants = np.array([blocks[own.place].offset for own in problem.instants], dtype=np.int64)
+    return curvatures(
+        evaluation, bounds, outcome.x, y, lambda corner: _idle(answer, corner), instants
+    )
 
 
 def curvatures(
-    evaluation: Evaluation, bounds: Bounds, x: Array, y: Array, idle: Idle
-) -> SecondOrder | None:
+    evaluation: Evaluation, bounds: Bounds, x: Array, y: Array, idle: Idle,
+    instants: Index = NONE,
+) -> SecondOrder | None:  # fmt: skip
     """The condition at x with the multipliers y of rows.
 
     Args:
         idle: from E (m,) the variables and rows to leave out.
+        instants: variables at which clearances are least, and not the cost: each adds a negative
+            eigenvalue, and the others are those of the cost with the instants following.
     """
     corner = _corner(bounds, evaluation.value(x)[1], y)
     variables, rows = idle(corner)
     corner[rows] = LOOSE
     kept = np.setdiff1d(np.arange(evaluation.variables), variables)
     complement = _complement(evaluation, x, y, corner, kept)
-    small = _below(complement, FLAT)
-    negative = 0 if small == 0 else _below(complement, -FLAT)
+    cost = ~np.isin(kept, instants)
+    small = _below(complement, FLAT, cost)
+    negative = 0 if small == 0 else _below(complement, -FLAT, cost)
     if negative is None or small is None:
         return None
-    least = None if small else _least(complement)
+    least = None if small else _least(complement, cost)
     own = len(corner) - len(rows)
-    return SecondOrder(len(kept), own, negative, small - negative, FLAT, least)
+    return SecondOrder(int(np.count_nonzero(cost)), own, negative, small - negative, FLAT, least)
 
 
 def _complement(
@@ -96,26 +109,29 @@ def _complement(
     return sparse.csc_matrix(total[kept][:, kept])
 
 
-def _least(matrix: sparse.csc_matrix) -> float:
+def _least(matrix: sparse.csc_matrix, cost: Mask) -> float:
     """The highest of the decades, the first of which is, that all eigenvalues are above."""
     low, high = 0, len(DECADES)
     while high - low > 1:
         middle = (low + high) // 2
-        if _below(matrix, DECADES[middle]) == 0:
+        if _below(matrix, DECADES[middle], cost) == 0:
             low = middle
         else:
             high = middle
     return DECADES[low]
 
 
-def _below(matrix: sparse.csc_matrix, level: float) -> int | None:
-    """How many eigenvalues are below a level; None where a pivot is zero."""
-    shifted = sparse.triu(matrix - level * sparse.identity(matrix.shape[0]), format="csc")
+def _below(matrix: sparse.csc_matrix, level: float, cost: Mask | None = None) -> int | None:
+    """How many eigenvalues are below a level, those of variables that are not the cost's left out;
+    None where a pivot is zero."""
+    cost = np.ones(matrix.shape[0], dtype=bool) if cost is None else cost
+    shifted = sparse.triu(matrix - level * sparse.diags(cost.astype(np.float64)), format="csc")
     try:
         pivots = qdldl.Solver(shifted, upper=True).factors()[1]
     except RuntimeError:
         return None
-    return int(np.count_nonzero(pivots < 0.0))
+    # One too few where a clearance is greatest: as wrong as one too many.
+    return abs(int(np.count_nonzero(pivots < 0.0)) - int(np.count_nonzero(~cost)))
 
 
 def _corner(bounds: Bounds, values: Array, y: Array) -> Array:
@@ -131,6 +147,7 @@ def _idle(answer: Answer, corner: Array) -> tuple[list[int], list[int]]:
     """Variables and rows of planes that pull on nothing: their distance row is further from its
     margin than its multiplier is from zero, or its multiplier next to none."""
     variables, rows = list[int](), list[int]()
+    places = {own.gap: own.place for own in answer.problem.instants}
     problem, planes = answer.problem, _planes(answer.problem)
     force = np.abs(answer.outcome.multipliers[[row for row, _ in planes]])
     least = WEAK * float(np.max(force, initial=0.0))
@@ -146,7 +163,8 @@ def _idle(answer: Answer, corner: Array) -> tuple[list[int], list[int]]:
                 b for b in problem.layout.rows.blocks if b.offset <= row < b.offset + b.size
             )
             rows += range(block.offset, block.offset + block.size)
-            variables += problem.layout.variables.blocks[names[-1]].indices.ravel().tolist()
+            for name in (names[-1], *([places[row]] if row in places else [])):
+                variables += problem.layout.variables.blocks[name].indices.ravel().tolist()
     return variables, rows
 
 

@@ -17,7 +17,7 @@ from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
 from berthing.refine.astray import astray
 from berthing.refine.margin_cost import cost_per_margin
-from berthing.refine.place import dip_sites, near_sites, sites_around
+from berthing.refine.place import dip_sites, dips_of, near_sites, sites_around
 from berthing.refine.remesh import split_unresolved
 from berthing.refine.sampling import SampledClearance, sample_clearance, sample_times
 from berthing.result import Attempt
@@ -69,6 +69,16 @@ factor by which the spacing shrinks from round to round."""
 SWEEP = 1.2
 """Sites that follow each other within this many spacings share planes."""
 
+ROUGH = 1e-3
+"""Tolerance of an answer that is to be solved on."""
+
+FINISH_M = 0.03
+"""Rough answers that dip less than this are solved on."""
+
+FEW, FEW_M = 4, 0.01
+"""Least clearances with no more room than the second in a coarse answer that is solved on: in
+crowded scenes touches come and go, and Newton's method finds none of the ways it was tried on."""
+
 ROUNDS = 14
 ITERATIONS = 250
 
@@ -80,6 +90,7 @@ class Refinement:
     Attributes:
         answer: the last solve that ended well, whether its plan is certified or not.
         astray: whether an answer stepped through something, so that there was no point in going on.
+        finished: the solve with rows at its touches that the plan came from, if it did.
     """
 
     answer: Answer | None = None
@@ -88,6 +99,7 @@ class Refinement:
     outcome: Outcome | None = None
     attempts: list[Attempt] = field(default_factory=list)
     astray: bool = False
+    finished: Answer | None = None
 
     @property
     def certified(self) -> bool:
@@ -109,6 +121,10 @@ class Step:
     sampled: SampledClearance | None
 
 
+Finish = Callable[[Scenario, Step], Answer | None]
+"""An answer solved on in some other way; None where that fails."""
+
+
 @dataclass(frozen=True)
 class Refiner:
     """Refines candidates of one phase.
@@ -121,6 +137,7 @@ class Refiner:
         slow: whether rates are limited to what each mesh resolves.
         guarded: whether rows reach further, and all neighbouring nodes share planes: it holds an
             answer in its passage, at the price of larger problems.
+        finish: tried on a rough answer of the first round, before the rounds as they are.
     """
 
     scenario: Scenario
@@ -133,6 +150,7 @@ class Refiner:
     shapes_of: ShapesOf = planned_shapes
     slow: bool = False
     guarded: bool = False
+    finish: Finish | None = None
 
     def run(self, name: str, coarse: Problem, motion: Motion) -> Refinement:
         """Refine ``motion``, the answer of ``coarse``, until certified or out of rounds."""
@@ -147,7 +165,9 @@ class Refiner:
         spacing = SPACING * motion.duration_s / mesh.control_count
         reach = REACH * motion.duration_s / mesh.control_count
         sites = dip_sites(mesh, sites, sampled, 0.0, spacing, reach)
-        return self._rounds(name, mesh, sites, motion, (spacing, reach), None)
+        few = len(dips_of(sampled, -FEW_M)) <= FEW
+        refiner = self if few else replace(self, finish=None)
+        return refiner._rounds(name, mesh, sites, motion, (spacing, reach), None)
 
     def once(self, name: str, coarse: Problem, motion: Motion) -> Refinement:
         """The answer with rows at every node, checked, and left as it is."""
@@ -180,6 +200,8 @@ class Refiner:
         for round_ in range(rounds):
             problem = self._build(mesh, sites)
             label = f"{name}, round {round_ + 1}"
+            if previous is None and round_ == 0 and self._roughly(label, problem, motion, result):
+                break
             step = self.step(label, problem, motion, previous, result.attempts)
             outcome, sampled = step.outcome, step.sampled
             if sampled is None:
@@ -208,6 +230,41 @@ class Refiner:
                 break
             previous = previous if mesh == problem.mesh else None
         return result
+
+    def _roughly(
+        self, label: str, problem: Problem, motion: Motion, result: Refinement
+    ) -> bool:
+        """Whether a rough answer, solved on, gives a certified plan: half the steps of a fine one,
+        and as good to begin from."""
+        budget = Budget(ITERATIONS, max(self.deadline - time.monotonic(), 0.1))
+        solver = QuickSolver(problem, "near", budget, ROUGH, falls_back=False)
+        if self.finish is None or not solver.quick:
+            return False
+        start = Start(motion, exact_normals(problem.pairs))
+        outcome = solver.solve(self.scenario, start, backoff_m=BACKOFF_M)
+        result.attempts.append(attempt(f"{label}, roughly", problem, outcome))
+        if not outcome.solved:
+            return False
+        sampled = self.sample(problem, outcome.motion)
+        self.report(label, outcome.iterations, _least(sampled))
+        if not self._finish(label, Step(problem, outcome, sampled), result):
+            return False
+        result.answer = Answer(problem, outcome)
+        return True
+
+    def _finish(self, label: str, step: Step, result: Refinement) -> bool:
+        """Whether the step, solved on, gives a certified plan, which ``result`` then takes."""
+        shallow = step.sampled is not None and step.sampled.worst_m < FINISH_M
+        answer = self.finish(self.scenario, step) if self.finish and shallow else None
+        if answer is None:
+            return False
+        result.attempts.append(attempt(f"{label}, at touches", answer.problem, answer.outcome))
+        trial = Refinement()
+        self.verify(trial, Step(answer.problem, answer.outcome, step.sampled))
+        if trial.certified:
+            result.plan, result.verification = trial.plan, trial.verification
+            result.finished, result.outcome = answer, answer.outcome
+        return trial.certified
 
     def step(
         self, label: str, problem: Problem, motion: Motion, previous: Answer | None,

@@ -17,8 +17,8 @@ import numpy as np
 from berthing.geometry.arrays import Array
 from berthing.guess.normals import exact_normals
 from berthing.refine.place import dips_of
-from berthing.refine.refiner import BACKOFF_M, LOOK_M, SAMPLES
-from berthing.refine.sampling import sample_clearance, sample_times
+from berthing.refine.refiner import BACKOFF_M, LOOK_M, SAMPLES, Step
+from berthing.refine.sampling import SampledClearance, sample_clearance, sample_times
 from berthing.scenario.phase import Phase
 from berthing.scenario.scenario import Scenario
 from berthing.solve import newton
@@ -169,6 +169,12 @@ def touch_sites(
     pairs = scenario.pairs(scenario.phase(flown.phase))
     times = sample_times(flown, SAMPLES)
     sampled = sample_clearance(scenario, pairs, flown, times, scenario.margins.default_m + LOOK_M)
+    return least_sites(sampled, mesh, from_s)
+
+
+def least_sites(sampled: SampledClearance, mesh: Mesh, from_s: float = 0.0) -> list[Site]:
+    """Likewise, of a motion sampled already."""
+    times = sampled.times_s
     t0, t1, step = max(from_s, float(times[0])), float(times[-1]), float(np.max(np.diff(times)))
     sites: list[Site] = []
     last: dict[int, float] = {}
@@ -181,3 +187,13 @@ def touch_sites(
             s += HAIR
         sites.append(Site(segment, s, pair))
     return sites
+
+
+def finished(scenario: Scenario, step: Step) -> Answer | None:
+    """A step of a refinement solved on at its touches; None where the method fails."""
+    if step.sampled is None:
+        return None
+    problem, motion = step.problem, step.outcome.motion
+    sites = least_sites(step.sampled, problem.mesh)
+    touched = Touching.build(scenario, problem.phase, problem.mesh, sites).first(scenario, motion)
+    return None if touched is None else touched.answer
