@@ -61,7 +61,7 @@ ROOM_M = 0.02
 TILTED_M = 0.15
 """Pairs that keep more than this beyond their margin are held by planes that do not tilt."""
 
-TILT = 0.1
+TILT = 0.25
 """Of normals that find further support points, at most, rad."""
 
 SETTLED = 1e-2
