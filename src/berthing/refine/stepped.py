@@ -27,7 +27,7 @@ from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Motion, Problem, build
 from berthing.verify.verdict import UNDECIDED, VIOLATED
 
-BETWEEN = 3
+BETWEEN = 1
 """Samples between two points of the mesh to begin with."""
 
 REGION, LATER = 0.03, 0.005

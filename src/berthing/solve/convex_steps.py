@@ -215,7 +215,7 @@ class _Run:
     def _taken(self, at: _Point, step: Step, region: float | None) -> tuple[_Point, float]:
         """Where the step leads, or ``at`` where it gains too little; and the next region."""
         moved_m = self._moved(step.change)
-        reach_m = ROOM_M + min(2.0 * moved_m, LOOK * self.length_m)
+        reach_m = ROOM_M + min(moved_m, LOOK * self.length_m)
         new = self._corrected(at.x + step.change, reach_m)
         if region is None:
             # A guess obeys no equations: there is nothing to compare with.

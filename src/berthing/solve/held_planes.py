@@ -153,17 +153,17 @@ class HeldPlanes:
         count = first = 0
         for one in around.near:
             pair = self._pairs[one.pair]
-            for which, va, vb in contacts(*_sides(pair, one), tilt, one.short_m > -tilted_m):
-                n = one.normal[which]
-                reach = one.pose_b[which].apply(vb) - one.pose_a[which].apply(va)
-                gaps.append(np.sum(n * reach, axis=-1) - one.required_m[which])
-                groups.append(first + which)
-                lines = count + np.arange(len(which))
-                count += len(which)
-                at, placed = one.at[which], around.placed
-                entries += self._entries(placed, pair.owner_a, pair.part_a, lines, at, -n, va)
-                entries += self._entries(placed, pair.owner_b, pair.part_b, lines, at, n, vb)
-                turns.append((lines, first + which, reach))
+            touching = contacts(*_sides(pair, one), tilt, one.short_m > -tilted_m)
+            which, va, vb = (np.concatenate(v) for v in zip(*touching, strict=True))
+            n, at, placed = one.normal[which], one.at[which], around.placed
+            reach = one.pose_b[which].apply(vb) - one.pose_a[which].apply(va)
+            gaps.append(np.sum(n * reach, axis=-1) - one.required_m[which])
+            groups.append(first + which)
+            lines = count + np.arange(len(which))
+            count += len(which)
+            entries += self._entries(placed, pair.owner_a, pair.part_a, lines, at, -n, va)
+            entries += self._entries(placed, pair.owner_b, pair.part_b, lines, at, n, vb)
+            turns.append((lines, first + which, reach))
             first += len(one.at)
         problem = self.samples.problem
         length_m, size = problem.layout.scale.length_m, problem.layout.variables.size
