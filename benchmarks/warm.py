@@ -32,7 +32,8 @@ from berthing.geometry.pose import Pose
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
 from berthing.planner import COARSE_SEGMENTS, DEGREE, plan_with_answer
-from berthing.refine.refiner import BACKOFF_M
+from berthing.refine.refiner import BACKOFF_M, Refiner
+from berthing.refine.touching import FORMULATION
 from berthing.scenario.clock import begun_at
 from berthing.scenario.scenario import Scenario
 from berthing.solve.homotopy import solve_by_stages
@@ -94,6 +95,17 @@ def ours(planner: bt.Planner, again: QuickSolver, answer: Answer, case: Moved) -
         "sites": sites.status, "sites_steps": sites.iterations,
         "sites_s": round(sites.wall_time_s, 4), "sites_cost": sites.cost,
     }  # fmt: skip
+
+
+def with_sites(scenario: Scenario) -> Answer:
+    """The plan with rows at sites alone, as many as it takes to be certified."""
+    (phase,), begun = scenario.phases, plan_with_answer(scenario)[1]
+    refiner = Refiner(
+        scenario, phase, begun.problem.mesh, FORMULATION, 0, lambda *_: None, float("inf")
+    )
+    refined = refiner.follow("with sites", begun)
+    assert refined.certified
+    return refined.answer
 
 
 class Reference:
@@ -165,7 +177,7 @@ def main(arguments: list[str]) -> int:
     scenario = bt.load(CASE)
     planner = bt.Planner(scenario)
     flown = planner.plan().plan.phases[0].vehicle(VEHICLE)
-    answer = plan_with_answer(scenario)[1]
+    answer = with_sites(scenario)
     again = QuickSolver(answer.problem, "warm", falls_back=False)
     given = list(cases(scenario, flown.state(np.zeros(1))[0], options.cases))
     ours(planner, again, answer, given[0])  # What is loaded when first used counts as import.
