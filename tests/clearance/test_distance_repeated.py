@@ -110,3 +110,16 @@ def test_support_points_are_exact_beside_the_normals_of_faces() -> None:
             wall = HalfSpace(face + angle * rng.normal(size=3), -3.0)
             found = bt.distance(shape, wall, at)
             assert found.upper_bound - found.lower_bound < 1e-12
+
+
+@pytest.mark.parametrize(("seed", "gap_m"), [(37, 0.0), (46, 1e-6)])
+def test_sets_that_just_touch_have_narrow_brackets_too(seed: int, gap_m: float) -> None:
+    a, b = SPACE["smoothed wedge"], SPACE["lampshade"]
+    pose_a, pose_b = random_poses(np.random.default_rng(seed), a, b, 60)
+    first = bt.distance(a, b, (pose_a, pose_b))
+    moved = pose_b.position - (first.distance - gap_m)[:, None] * first.normal
+    found = bt.distance(a, b, (pose_a, bt.Pose(moved, pose_b.rotation)))
+    width = (found.upper_bound - found.lower_bound)[found.lower_bound > 0.0]
+    assert len(width) > 5
+    assert np.max(width) <= BRACKET
+    assert np.max(np.abs(found.distance - gap_m)) <= BRACKET

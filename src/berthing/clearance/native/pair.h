@@ -188,8 +188,7 @@ static Answer solve(Path *path)
         tried.upper = fmin(tried.upper, answer.upper);
         if (tried.lower >= answer.lower) answer = tried;
     }
-    if (answer.upper - answer.lower > path->tolerance) return overlapping(path, answer);
     if (answer.upper - answer.lower > larger(VAGUE * answer.upper, 10.0 * pair->noise)) sharpen(pair, &answer);
-    return answer;
+    return answer.upper - answer.lower > path->tolerance ? overlapping(path, answer) : answer;
 }
 #endif
