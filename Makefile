@@ -6,6 +6,10 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check
 # Tests run in parallel; say PYTEST_ARGS= to run them in one process.
 PYTEST_ARGS ?= -n auto
 
+# As the command line does: threads of BLAS take cores from other tests.
+export OPENBLAS_NUM_THREADS ?= 1
+export OMP_NUM_THREADS ?= 1
+
 .PHONY: help plan test test-slow test-browser lint lock viewer viewer-check docs lock-docs clean
 help:
 	@echo "make plan       set up, plan scenario-a, print its verdict, write plans/scenario-a"

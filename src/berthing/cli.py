@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -485,6 +486,12 @@ def doctor_command(as_json: AsJson = False) -> None:
     raise typer.Exit(guarded(work))
 
 
+BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS")
+"""Matrices here are small: threads that wait for them to grow take the cores from other guesses."""
+
+
 def main() -> None:
     """Entry point of the ``berthing`` script."""
+    for name in BLAS_THREADS:
+        os.environ.setdefault(name, "1")
     app()

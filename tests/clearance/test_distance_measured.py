@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-POSES = 15_000
+POSES = 5_000
 # Metres and relative errors, as the project asks for them.
 USUAL_BRACKET, WIDEST_BRACKET, DEPTH, ANSWER = 1e-8, 1e-7, 1e-5, 1e-7
 

@@ -1,4 +1,5 @@
 import json
+import os
 import subprocess
 import sys
 
@@ -105,3 +106,15 @@ def test_errors_are_one_line(run, monkeypatch):
 def test_nobody_is_told_of_progress_without_a_terminal():
     with progress_line() as progress:
         assert progress is None
+
+
+@pytest.mark.parametrize(("given", "taken"), [(None, "1"), ("3", "3")])
+def test_small_matrices_get_one_thread_unless_told_otherwise(monkeypatch, given, taken):
+    for name in cli.BLAS_THREADS:
+        # What is set here is undone, whether the command line changes it or not.
+        monkeypatch.setenv(name, given or "")
+        if given is None:
+            monkeypatch.delenv(name)
+    monkeypatch.setattr(cli, "app", lambda: None)
+    cli.main()
+    assert [os.environ[name] for name in cli.BLAS_THREADS] == [taken, taken]
