@@ -21,6 +21,17 @@ def commanded(words: Sequence[str], folder: Path) -> tuple[int, float]:
     return done.returncode, time.perf_counter() - began
 
 
+def write(path: Path | None, rows: object) -> None:
+    """Keep what was measured, where there is a file to keep it in."""
+    if path:
+        path.write_text(json.dumps(rows, indent=1) + "\n")
+
+
+def write_lines(path: Path, rows: Sequence[dict]) -> None:
+    """Likewise, a line a row."""
+    path.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n")
+
+
 def run(
     name: str, cases: Sequence[str], rows_of: Rows, table: Callable[[list[dict]], str],
     arguments: list[str],
@@ -37,6 +48,5 @@ def run(
             rows += group
             print(rows[-1], flush=True)
     print(table(rows))
-    if options.json:
-        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+    write(options.json, rows)
     return 0

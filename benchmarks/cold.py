@@ -8,24 +8,20 @@ guess, to its last relaxation, without refinement or verification, which only fa
 from __future__ import annotations
 
 import argparse
-import json
 import tempfile
 import time
 from pathlib import Path
 from statistics import median
 
 import berthing as bt
-from benchmarks._by_case import commanded
+from benchmarks._by_case import commanded, write
+from benchmarks._coarse import coarse_problem
 from berthing.guess.candidates import candidates
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import motion_along
-from berthing.planner import COARSE_SEGMENTS, DEGREE
 from berthing.refine.refiner import BACKOFF_M
 from berthing.solve.homotopy import solve_by_stages
 from berthing.solve.ipopt import Budget, Start
-from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import build
-from berthing.transcription.sites import node_sites
 
 CASE = "scenario-a"
 REFERENCE_BUDGET = Budget(1500, 60.0)
@@ -55,12 +51,12 @@ def whole(seed: int) -> dict:
 def reference() -> dict:
     """``kkt-complementarity`` from the first guess, nodes only."""
     scenario = bt.load(CASE)
-    (phase,) = scenario.phases
-    mesh, pairs = Mesh.uniform("lgr", COARSE_SEGMENTS, DEGREE), scenario.pairs(phase)
     began = time.perf_counter()
-    problem = build(scenario, phase, mesh, node_sites(mesh, len(pairs)), "kkt-complementarity")
+    problem = coarse_problem(scenario, "kkt-complementarity")
+    phase = problem.phase
     guess = candidates(scenario, phase, 0)[0]
-    start = Start(motion_along(guess, phase, mesh, phase.horizon.nominal_s), exact_normals(pairs))
+    motion = motion_along(guess, phase, problem.mesh, phase.horizon.nominal_s)
+    start = Start(motion, exact_normals(problem.pairs))
     outcome = solve_by_stages(
         problem, scenario, start, preset="cold", budget=REFERENCE_BUDGET, backoff_m=BACKOFF_M
     )
@@ -98,6 +94,5 @@ def main(arguments: list[str]) -> int:
     rows += [whole(seed) for seed in range(options.processes)]
     rows.append(reference())
     print(table(rows))
-    if options.json:
-        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+    write(options.json, rows)
     return 0

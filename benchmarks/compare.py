@@ -14,6 +14,7 @@ from dataclasses import asdict
 from pathlib import Path
 from statistics import median
 
+from benchmarks._by_case import write_lines
 from benchmarks.tight3d._families import FAMILIES, made
 from berthing.comparison import METHODS, compare
 from berthing.scenario.files import load
@@ -104,6 +105,6 @@ def main(arguments: list[str]) -> int:
         rows += rows_of(case, seed, tuple(options.formulation or METHODS))
         for row in rows[-len(options.formulation or METHODS) :]:
             print(row, flush=True)
-        options.json.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n")
+        write_lines(options.json, rows)
     print(table(rows))
     return 0

@@ -7,11 +7,11 @@ touches its obstacles, so that its costates jump there.
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from dataclasses import asdict, replace
 from pathlib import Path
 
+from benchmarks._by_case import write
 from berthing.planner import plan
 from berthing.scenario.files import load
 
@@ -95,6 +95,5 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     rows = smooth() + touching()
     print(table(rows))
-    if options.json:
-        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+    write(options.json, rows)
     return 0

@@ -19,19 +19,18 @@ from statistics import median
 
 import numpy as np
 
+from benchmarks._by_case import write
+from benchmarks._coarse import coarse_problem
 from berthing.guess.candidates import candidates
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import motion_along
-from berthing.planner import COARSE_SEGMENTS, DEGREE
 from berthing.refine.refiner import BACKOFF_M
 from berthing.scenario.files import load
 from berthing.scenario.scenario import Scenario
 from berthing.solve.homotopy import solve_by_stages
 from berthing.solve.ipopt import Answer, Budget, Solver, Start
 from berthing.solve.outcome import Outcome
-from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import Problem, build
-from berthing.transcription.sites import node_sites
+from berthing.transcription.problem import Problem
 
 FORMULATIONS = ("plane", "kkt", "kkt after plane", "kkt-complementarity")
 GUESSES = 20
@@ -60,10 +59,7 @@ class Case:
 
     def problem(self, formulation: str) -> Problem:
         """On the planner's coarse mesh, with rows at every node."""
-        (phase,) = self.scenario.phases
-        mesh = Mesh.uniform("lgr", COARSE_SEGMENTS, DEGREE)
-        sites = node_sites(mesh, len(self.scenario.pairs(phase)))
-        return build(self.scenario, phase, mesh, sites, formulation)
+        return coarse_problem(self.scenario, formulation)
 
     def starts(self, problem: Problem) -> list[tuple[str, Start]]:
         """The fixed guesses and then random ones, ``GUESSES`` in all, the same for every form."""
@@ -192,6 +188,6 @@ def main(arguments: list[str]) -> int:
         for row in Form(case, name, options.limit).rows(known, until):
             rows.append(row)
             print(row, flush=True)
-            options.json.write_text(json.dumps(rows, indent=1) + "\n")
+            write(options.json, rows)
     print(table(rows))
     return 0

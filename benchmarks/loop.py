@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import json
 import runpy
 import time
 from pathlib import Path
 from statistics import median
+
+from benchmarks._by_case import write
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "14_plan_again_while_flying.py"
 
@@ -39,6 +40,5 @@ def main(arguments: list[str]) -> int:
         f"| {kept} of {len(rows)} | {min(r['least_clearance_m'] for r in rows):.4f} m "
         f"| {max(r['off_goal_m'] for r in rows):.4f} m | {median(new):g} | {min(new)} |"
     )
-    if options.json:
-        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+    write(options.json, rows)
     return 0 if kept == len(rows) else 1

@@ -10,7 +10,7 @@ import json
 import tempfile
 from pathlib import Path
 
-from benchmarks._by_case import commanded
+from benchmarks._by_case import commanded, write
 
 CASES = ("parking-backwards", "parking-parallel", "quadcopter-room", "piano-mover")
 
@@ -66,7 +66,6 @@ def main(arguments: list[str]) -> int:
     for name in options.case or CASES:
         rows.append(run(name))
         print(rows[-1], flush=True)
-        if options.json:
-            options.json.write_text(json.dumps(rows, indent=1) + "\n")
+        write(options.json, rows)
     print(table(rows))
     return 0

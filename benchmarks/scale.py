@@ -16,6 +16,8 @@ from statistics import median
 
 import numpy as np
 
+from benchmarks._by_case import write
+
 NEAR, SIZES = 12, (12, 100, 300, 1000)
 GOAL_M = np.array([10.0, 3.0, 0.0])
 NEAR_M, CLEAR_ENDS_M, FAR_M, FIELD_M = (2.9, 4.0), 3.2, 12.0, 40.0
@@ -125,6 +127,5 @@ def main(arguments: list[str]) -> int:
             rows.append(apart(total))
             print(rows[-1], flush=True)
     print(table(rows))
-    if options.json:
-        options.json.write_text(json.dumps(rows, indent=1) + "\n")
+    write(options.json, rows)
     return 0

@@ -18,7 +18,6 @@ from __future__ import annotations
 
 import argparse
 import copy
-import json
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -28,10 +27,12 @@ from statistics import median
 import numpy as np
 
 import berthing as bt
+from benchmarks._by_case import write
+from benchmarks._coarse import coarse_problem
 from berthing.geometry.pose import Pose
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
-from berthing.planner import COARSE_SEGMENTS, DEGREE, plan_with_answer
+from berthing.planner import plan_with_answer
 from berthing.refine.refiner import BACKOFF_M, Refiner
 from berthing.refine.touching import FORMULATION
 from berthing.scenario.clock import begun_at
@@ -39,9 +40,6 @@ from berthing.scenario.scenario import Scenario
 from berthing.solve.homotopy import solve_by_stages
 from berthing.solve.ipopt import Answer, Budget, Solver, Start
 from berthing.solve.quick import QuickSolver
-from berthing.transcription.mesh import Mesh
-from berthing.transcription.problem import build
-from berthing.transcription.sites import node_sites
 
 CASE, VEHICLE = "scenario-a", "spacecraft"
 START_M, STRUCTURE_M = 0.3, 0.1
@@ -112,12 +110,10 @@ class Reference:
     """``kkt-complementarity`` on the coarse mesh, solved for the plan's scenario first."""
 
     def __init__(self, scenario: Scenario, answer: Answer) -> None:
-        (phase,) = scenario.phases
-        mesh, pairs = Mesh.uniform("lgr", COARSE_SEGMENTS, DEGREE), scenario.pairs(phase)
-        sites = node_sites(mesh, len(pairs))
-        self.problem = build(scenario, phase, mesh, sites, "kkt-complementarity")
+        self.problem = coarse_problem(scenario, "kkt-complementarity")
+        phase, mesh = self.problem.phase, self.problem.mesh
         motion = resample(answer.outcome.motion, phase, answer.problem.mesh, mesh)
-        self.start = Start(motion, exact_normals(pairs))
+        self.start = Start(motion, exact_normals(self.problem.pairs))
         first = solve_by_stages(
             self.problem, scenario, self.start, preset="near", budget=BUDGET, backoff_m=BACKOFF_M
         )
@@ -187,6 +183,5 @@ def main(arguments: list[str]) -> int:
         other = Reference(scenario, answer)
         reference = [other.solve(case) for case in given[: options.reference]]
     print(table(rows, reference))
-    if options.json:
-        options.json.write_text(json.dumps([*rows, *reference], indent=1) + "\n")
+    write(options.json, [*rows, *reference])
     return 0 if all(row["outcome"] == "certified" for row in rows) else 1

@@ -11,6 +11,7 @@ import time
 from itertools import product
 from pathlib import Path
 
+from benchmarks._by_case import write_lines
 from benchmarks.tight3d._export import export
 from benchmarks.tight3d._families import FAMILIES, made
 from benchmarks.tight3d._prove import proven
@@ -49,7 +50,7 @@ def main(arguments: list[str]) -> int:
             row = planned(made(family, seed), options.effort, options.limit)
         rows.append(row)
         print(row, flush=True)
-        options.json.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n")
+        write_lines(options.json, rows)
     if not options.prove:
         print(table(rows, options.effort, json.loads(WITNESSES.read_text())))
     return 0

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from contextlib import closing
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from berthing import result as outcomes
 from berthing.errors import InputError
@@ -157,6 +158,7 @@ class _Work:
         plain = Mesh.of_nodes(self.options.scheme, self.options.nodes, segments, DEGREE)
         return through(plain, kink_fractions(self.phase))
 
+    @cached_property
     def coarse(self) -> Coarse:
         """The coarse problem, whose solves are recorded here."""
         return Coarse(
@@ -256,7 +258,7 @@ class _Stage:
 def _from_guesses(work: _Work, wave: Wave, best: Refinement | None) -> Refinement | None:
     """``best``, or what is better among the refined answers of a wave."""
     with work.stage("guess"):
-        found = work.coarse().first(wave)
+        found = work.coarse.first(wave)
     if found is None:
         return best
     search, refiner = found.search, work.refiner(guarded=wave.patient, slow=found.slow)

@@ -67,7 +67,7 @@ def _of_bodies(
     """That of the closest parts at each pose."""
     moved = isinstance(a, Body) or isinstance(b, Body)
     found = [
-        _seen_from(_of_sets(*placed_a, *placed_b), moved, pose_a, pose_b)
+        _seen_from(of_sets(*placed_a, *placed_b), moved, pose_a, pose_b)
         for placed_a, placed_b in product(_placed(a, pose_a), _placed(b, pose_b))
     ]
     if len(found) == 1:
@@ -92,7 +92,8 @@ def _seen_from(found: SignedDistance, moved: bool, pose_a: Pose, pose_b: Pose) -
     return replace(found, gradient_a=by_a, gradient_b=by_b)
 
 
-def _of_sets(a: ConvexSet, pose_a: Pose, b: ConvexSet, pose_b: Pose) -> SignedDistance:
+def of_sets(a: ConvexSet, pose_a: Pose, b: ConvexSet, pose_b: Pose) -> SignedDistance:
+    """That of two sets at poses known to be sound; CapabilityError for two half-spaces."""
     if isinstance(a, HalfSpace) and isinstance(b, HalfSpace):
         raise CapabilityError("two half-spaces have no distance: they meet, or never will")
     if takes(a, b):

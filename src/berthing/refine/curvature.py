@@ -19,10 +19,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-import numpy.typing as npt
 import qdldl
 from scipy import sparse
 
+from berthing.clearance.signed_distance import Flags
 from berthing.geometry.arrays import Array
 from berthing.solve.barrier import Bounds
 from berthing.solve.evaluation import Evaluation
@@ -32,8 +32,6 @@ from berthing.transcription.problem import Problem
 from berthing.verify.second_order import SecondOrder
 
 NONE: Index = np.empty(0, dtype=np.int64)
-
-Mask = npt.NDArray[np.bool_]
 
 Idle = Callable[[Array], tuple[list[int], list[int]]]
 
@@ -109,7 +107,7 @@ def _complement(
     return sparse.csc_matrix(total[kept][:, kept])
 
 
-def _least(matrix: sparse.csc_matrix, cost: Mask) -> float:
+def _least(matrix: sparse.csc_matrix, cost: Flags) -> float:
     """The highest of the decades, the first of which is, that all eigenvalues are above."""
     low, high = 0, len(DECADES)
     while high - low > 1:
@@ -121,7 +119,7 @@ def _least(matrix: sparse.csc_matrix, cost: Mask) -> float:
     return DECADES[low]
 
 
-def _below(matrix: sparse.csc_matrix, level: float, cost: Mask | None = None) -> int | None:
+def _below(matrix: sparse.csc_matrix, level: float, cost: Flags | None = None) -> int | None:
     """How many eigenvalues are below a level, those of variables that are not the cost's left out;
     None where a pivot is zero."""
     cost = np.ones(matrix.shape[0], dtype=bool) if cost is None else cost
@@ -159,9 +157,7 @@ def _idle(answer: Answer, corner: Array) -> tuple[list[int], list[int]]:
     }
     for row, names in planes:
         if names[-1] not in pulling:
-            block = next(
-                b for b in problem.layout.rows.blocks if b.offset <= row < b.offset + b.size
-            )
+            block = problem.layout.rows.block_of(row)
             rows += range(block.offset, block.offset + block.size)
             for name in (names[-1], *([places[row]] if row in places else [])):
                 variables += problem.layout.variables.blocks[name].indices.ravel().tolist()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import DEFAULT, ROUTES, FirstMotions, first_motions
@@ -91,6 +91,7 @@ class Coarse:
     Attributes:
         note: is told (name, problem, outcome) of each solve.
         deadline: on the monotonic clock.
+        drawn: guesses that were made for a wave, for those that ask for the same.
     """
 
     scenario: Scenario
@@ -99,6 +100,7 @@ class Coarse:
     options: SolverOptions
     note: Callable[[str, Problem, Outcome], None]
     deadline: float
+    drawn: dict[tuple[bool, bool], FirstMotions] = field(default_factory=dict)
 
     def first(self, wave: Wave) -> Round | None:
         """With rows for all that the first answers come near; None where the wave has nothing new
@@ -115,11 +117,7 @@ class Coarse:
             found = self._round(wave, guessed, also, slow)
             if found is None:
                 return None
-            try:
-                found.search.first_answers()
-            except BaseException:
-                found.search.pool.close()
-                raise
+            _begin(found.search)
             motions, problem = found.search.motions, found.problem
             known = {site.pair for site in problem.separation.sites}
             near = near_pairs(self.scenario, problem.pairs, self.mesh, motions, 0.0)
@@ -149,14 +147,16 @@ class Coarse:
             EFFORTS[self.options.effort], phase, length_m,
             lambda name, outcome: self.note(name, problem, outcome), self.deadline,
         )  # fmt: skip
-        try:
-            search.first_answers()
-        except BaseException:
-            search.pool.close()
-            raise
+        _begin(search)
         return Round(problem, search, slow=False)
 
     def _guessed(self, wave: Wave) -> FirstMotions:
+        key = wave.patient, wave.routed
+        if key not in self.drawn:
+            self.drawn[key] = self._draw(wave)
+        return self.drawn[key]
+
+    def _draw(self, wave: Wave) -> FirstMotions:
         first = beginning(self.options.formulation, self.scenario.pairs(self.phase))
         whole = Continuation(
             self.scenario, self.phase, self.mesh, first.formulation, self._budget(wave), BACKOFF_M,
@@ -204,3 +204,12 @@ class Coarse:
             lambda name, outcome: self.note(name, problem, outcome), self.deadline,
         )  # fmt: skip
         return Round(problem, search, slow)
+
+
+def _begin(search: Search) -> None:
+    """Solve its first guesses; nothing is left running where that is broken off."""
+    try:
+        search.first_answers()
+    except BaseException:
+        search.pool.close()
+        raise

@@ -329,12 +329,15 @@ class Refiner:
             wall_time_s=failed.wall_time_s + outcome.wall_time_s,
         )
 
-    def sample(self, problem: Problem, motion: Motion) -> SampledClearance:
-        """Clearance along ``motion``, a motion of ``problem``."""
+    def sample(
+        self, problem: Problem, motion: Motion, look_m: float = LOOK_M
+    ) -> SampledClearance:
+        """Clearance along ``motion``, a motion of ``problem``: exact up to ``look_m`` beyond the
+        margin."""
         trajectory = trajectories(problem, motion)
         times = sample_times(trajectory, SAMPLES)
         margin = self.scenario.margins.default_m
-        return sample_clearance(self.scenario, problem.pairs, trajectory, times, margin + LOOK_M)
+        return sample_clearance(self.scenario, problem.pairs, trajectory, times, margin + look_m)
 
     def verify(self, result: Refinement, step: Step) -> None:
         """Make a plan of a solved step and check it; ``result`` takes both."""

@@ -15,14 +15,12 @@ from berthing.geometry.arrays import Array
 from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
 from berthing.refine.place import dips_of
-from berthing.refine.refiner import BACKOFF_M, SAMPLES, Refinement, Refiner, Step, attempt
+from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, Step, attempt
 from berthing.refine.remesh import split_unresolved
-from berthing.refine.sampling import SampledClearance, sample_clearance, sample_times
 from berthing.solve.convex_steps import ConvexSteps
 from berthing.solve.ipopt import Answer, Budget, Start
 from berthing.solve.outcome import TIME_LIMIT
 from berthing.solve.samples import spread_evenly
-from berthing.transcription.extract import trajectories
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Motion, Problem, build
 from berthing.verify.verdict import UNDECIDED, VIOLATED
@@ -81,7 +79,7 @@ def stepped(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Ref
         if failed > FAILURES or outcome.status == TIME_LIMIT:
             break
         motion = outcome.motion
-        sampled = _sampled(refiner, problem, motion)
+        sampled = refiner.sample(problem, motion, NEAR_M)
         refiner.report(label, outcome.iterations, -sampled.worst_m)
         dips = [t for _, t in dips_of(sampled, ALLOWED * BACKOFF_M)]
         if not dips:
@@ -102,14 +100,6 @@ def stepped(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Ref
         fractions = _denser(fractions, spread_evenly(finer, BETWEEN), 0.0)
         mesh, problem = finer, _problem(refiner, finer)
     return result
-
-
-def _sampled(refiner: Refiner, problem: Problem, motion: Motion) -> SampledClearance:
-    """Exact where it matters: dips are all that is looked for."""
-    trajectory = trajectories(problem, motion)
-    near_m = refiner.scenario.margins.default_m + NEAR_M
-    times = sample_times(trajectory, SAMPLES)
-    return sample_clearance(refiner.scenario, problem.pairs, trajectory, times, near_m)
 
 
 def _not_proven(result: Refinement) -> list[float]:

@@ -117,7 +117,7 @@ class Touching:
             if hopped is None:
                 break
             touching, bearing = hopped
-        outcome = touching._outcome(reached, parameters, duration_s)
+        outcome = touching._outcome(reached, hopped is None, parameters, duration_s)
         spent = time.perf_counter() - began
         return Touched(
             touching, reached.bearing, replace(outcome, iterations=steps, wall_time_s=spent)
@@ -126,10 +126,11 @@ class Touching:
     def _parameters(self, scenario: Scenario, duration_s: float) -> Array:
         return self.problem.parameter_vector(scenario, BACKOFF_M, duration_s)
 
-    def _outcome(self, reached: Reached, parameters: Array, duration_s: float) -> Outcome:
-        status = STATUS.get(reached.status, NOT_CONVERGED)
-        if self._hopped(reached) is not None:
-            status = NOT_CONVERGED
+    def _outcome(
+        self, reached: Reached, stayed: bool, parameters: Array, duration_s: float
+    ) -> Outcome:
+        """No answer where an instant is still on its way into another segment."""
+        status = STATUS.get(reached.status, NOT_CONVERGED) if stayed else NOT_CONVERGED
         own = reached.bearing
         return outcome_of(self.problem, status, own.x, own.y, parameters, duration_s)
 

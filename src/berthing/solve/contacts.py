@@ -10,7 +10,7 @@ import numpy as np
 from berthing.clearance.signed_distance import Flags
 from berthing.geometry.arrays import Array
 from berthing.geometry.convex_set import ConvexSet
-from berthing.solve.samples import Index
+from berthing.transcription.elements import Index
 
 ROUND = 0.25
 """Of the tilt: a point that a tilted normal finds so far down, as a share of its distance, lies on

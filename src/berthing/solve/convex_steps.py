@@ -31,7 +31,8 @@ from berthing.solve.outcome import (
     TIME_LIMIT,
     Outcome,
 )
-from berthing.solve.samples import Index, Samples, spread_evenly
+from berthing.solve.samples import Samples, spread_evenly
+from berthing.transcription.elements import Index
 from berthing.transcription.problem import Problem
 
 PENALTY = 50.0

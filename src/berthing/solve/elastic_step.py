@@ -41,7 +41,7 @@ class Step:
     """A step and what it promises.
 
     Attributes:
-        change: δ (n,). objective: of δ, penalty of slacks included.
+        change: δ (n,). descent: of the quadratic model along it. penalty: of the slacks it leaves.
         multipliers: (m,) of the rows, of f + yᵀ g.
     """
 

@@ -15,8 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import sparse
 
-from berthing.clearance.compiled_distance import compiled_distance, takes
-from berthing.clearance.queried_distance import queried_distance
+from berthing.clearance.placed_distance import of_sets
 from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
 from berthing.geometry.pose import Pose
@@ -25,7 +24,8 @@ from berthing.scenario.scenario import Scenario
 from berthing.scenario.structure import Structure
 from berthing.scenario.vehicle import Vehicle
 from berthing.solve.contacts import Side, contacts, sides_of
-from berthing.solve.samples import Index, Placed, Samples
+from berthing.solve.samples import Placed, Samples
+from berthing.transcription.elements import Index
 from berthing.transcription.problem import Motion
 
 
@@ -125,9 +125,7 @@ class HeldPlanes:
                 placed.poses[owner.name][at].compose(part.placement)
                 for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
             )
-            one, other = pair.part_a.shape, pair.part_b.shape
-            ask = compiled_distance if takes(one, other) else queried_distance
-            known = ask(one, a, other, b)
+            known = of_sets(pair.part_a.shape, a, pair.part_b.shape, b)
             short = margins[p, at] - known.distance
             near = np.flatnonzero(short > -reach_m)
             if len(near):

@@ -21,6 +21,7 @@ import casadi as ca
 import numpy as np
 import numpy.typing as npt
 
+from berthing.clearance.signed_distance import Flags
 from berthing.geometry.arrays import Array
 from berthing.solve.evaluation import Evaluation
 from berthing.solve.kkt_matrix import KktMatrix
@@ -77,7 +78,7 @@ class Bearing:
     x: Array
     y: Array
     sides: Sides
-    out: npt.NDArray[np.bool_]
+    out: Flags
 
 
 @dataclass(frozen=True)
@@ -179,7 +180,7 @@ class Newton:
         if np.any((now.sides != FREE) & ~self._kept):
             self._keep(self._kept | (now.sides != FREE))
 
-    def _keep(self, rows: npt.NDArray[np.bool_]) -> None:
+    def _keep(self, rows: Flags) -> None:
         """Begin a new matrix with these rows (m,)."""
         pattern = self._evaluation.jacobian
         row, column = (np.asarray(v, np.int64) for v in pattern.get_triplet())
@@ -208,7 +209,7 @@ class Newton:
         below = -off - np.where(held, SHIFT * now.y, 0.0)
         return np.concatenate([-gradient, below[self._kept]]), float(error)
 
-    def _asked(self, now: Bearing) -> npt.NDArray[np.bool_]:
+    def _asked(self, now: Bearing) -> Flags:
         """Rows (m,) that are not left out with their groups."""
         asked = np.ones(len(self._lower), bool)
         for group, out in zip(self._groups, now.out, strict=True):
@@ -246,12 +247,12 @@ class Newton:
         sides[free & (g > self._upper + SLACK)] = AT_UPPER
         return replace(now, sides=sides, y=np.where(sides != FREE, now.y, 0.0))
 
-    def _pulling(self, now: Bearing) -> npt.NDArray[np.bool_]:
+    def _pulling(self, now: Bearing) -> Flags:
         """The groups whose own row pulls."""
         gaps = np.array([group.gap for group in self._groups], dtype=np.int64)
         return ~now.out & (now.y[gaps] * now.sides[gaps] < -SLACK)
 
-    def _without(self, now: Bearing, groups: npt.NDArray[np.bool_]) -> Bearing:
+    def _without(self, now: Bearing, groups: Flags) -> Bearing:
         """Leave out these groups, for good."""
         sides = now.sides.copy()
         for group, out in zip(self._groups, groups, strict=True):

@@ -8,17 +8,15 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-import numpy.typing as npt
 
 from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
 from berthing.scenario.scenario import Scenario
+from berthing.transcription.elements import Index
 from berthing.transcription.lagrange import interpolation_matrix
 from berthing.transcription.layout import VehicleLayout
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Motion, Problem
-
-Index = npt.NDArray[np.int64]
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -61,6 +62,10 @@ class RowBook:
         self.size += count
         return np.arange(block.offset, self.size)
 
+    def block_of(self, row: int) -> RowBlock:
+        """The block that a row is in."""
+        return self.blocks[bisect_right(self.blocks, row, key=lambda block: block.offset) - 1]
+
     def bounds(self) -> tuple[Array, Array]:
         """Lower and upper bounds (size,)."""
         if not self._lower:
@@ -86,6 +91,6 @@ class RowBook:
         lower, upper = self.bounds()
         violation = np.maximum(np.maximum(lower - values, values - upper), 0.0)
         i = int(np.argmax(violation))
-        block = next(b for b in self.blocks if b.offset <= i < b.offset + b.size)
+        block = self.block_of(i)
         amount = violation[i] * block.unit_scale
         return f"{block.label(i - block.offset)} short by {amount:.3g} {block.unit}".rstrip()

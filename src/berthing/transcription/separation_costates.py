@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
-
 import numpy as np
 
 from berthing.geometry.arrays import Array
@@ -30,13 +28,12 @@ def separation_costates(
         return ()
     cost, length = problem.layout.scale.cost, problem.layout.scale.length_m
     jacobian = problem.nlp["jac_g"](x, parameters)[1].sparse().tocsr()
-    starts = [block.offset for block in problem.layout.rows.blocks]
     force = -multipliers[[row for row, _ in rows]]
     found = []
     for (row, site), value in zip(rows, force, strict=True):
         if abs(value) <= NEGLIGIBLE * np.max(np.abs(force)):
             continue
-        block = problem.layout.rows.blocks[bisect_right(starts, row) - 1]
+        block = problem.layout.rows.block_of(row)
         own = slice(block.offset, block.offset + block.size)
         pull = np.asarray(jacobian[own].T @ multipliers[own])
         fraction = problem.mesh.fraction(site.segment, site.s)
