@@ -9,6 +9,7 @@ from berthing.guess.normals import exact_normals
 from berthing.scenario.files import load
 from berthing.solve.convex_steps import MET_M, ConvexSteps
 from berthing.solve.held_planes import HeldPlanes
+from berthing.solve.held_rows import held_rows
 from berthing.solve.ipopt import Budget, Start
 from berthing.solve.outcome import LOCALLY_INFEASIBLE, SOLVED
 from berthing.solve.samples import Samples, spread_evenly
@@ -37,14 +38,14 @@ def test_rows_foretell_distances(turning) -> None:
     # Where faces lie along each other the distance has a kink.
     x, duration_s = x + 0.05 * rng.normal(size=len(x)), straight.duration_s
     around = planes.around(turning.motion(x, duration_s), 100.0)
-    rows = planes.rows(around, 0.0, -100.0)
+    rows = held_rows(planes.samples, around, 0.0, -100.0)
     count = len(turning.pairs) * len(planes.samples.fractions)
     assert rows.groups == len(rows.gap) == count
     change = 1e-6 * rng.normal(size=len(x))
     moved = planes.around(turning.motion(x + change, duration_s), 100.0)
     shorter = np.concatenate([b.short_m - a.short_m
                               for a, b in zip(around.near, moved.near, strict=True)])  # fmt: skip
-    foretold = rows.slope @ change * turning.layout.scale.length_m
+    foretold = rows.slope @ (rows.places @ change) * turning.layout.scale.length_m
     # Depths are known to less than distances are.
     apart = np.concatenate([one.required_m - one.short_m for one in around.near]) > 0.0
     np.testing.assert_allclose(-shorter[apart], foretold[apart], atol=1e-9)
@@ -58,19 +59,27 @@ def test_a_face_along_its_plane_has_rows_for_all_its_corners() -> None:
     problem = posed(scenario(spacecraft(), structures=[floor]), 2, 2, sites=[])
     planes = planes_of(problem)
     around = planes.around(guessed(problem), 10.0)
-    plain, tilted = planes.rows(around, 0.0, -10.0), planes.rows(around, 0.2, 10.0)
+    plain = held_rows(planes.samples, around, 0.0, -10.0)
+    tilted = held_rows(planes.samples, around, 0.2, 10.0)
     assert len(plain.gap) == plain.groups == tilted.groups
-    assert plain.tilt.shape[1] == 0
-    # Each of the four with each of the floor's, among which the plane tilts about two axes.
-    assert len(tilted.gap) == 16 * tilted.groups
-    assert tilted.tilt.shape[1] == 2 * tilted.groups
-    np.testing.assert_allclose(tilted.gap, tilted.gap[0], atol=1e-9)
+    assert plain.plane.shape[1] == 0
+    # The body's four corners below a plane, the floor's four above, or the other way about: it
+    # tilts about two axes, and shifts.
+    assert len(tilted.gap) == 8 * tilted.groups
+    assert tilted.plane.shape[1] == 3 * tilted.groups
+    below = tilted.group < 0
+    assert np.sum(below) == 4 * tilted.groups
+    np.testing.assert_allclose(tilted.gap[below], 0.0, atol=1e-9)
+    np.testing.assert_allclose(tilted.gap[~below], plain.gap[0], atol=1e-9)
+    # What it shifts by, those on the one side gain and those on the other lose.
+    shift = tilted.plane[:, 2 * tilted.groups :]
+    np.testing.assert_allclose(shift @ np.ones(tilted.groups), np.where(below, 1.0, -1.0))
     # A plane that leans by 0.01 is that much further from a corner 20 m away, to either side.
-    leaning = 0.01 * tilted.tilt[:, 0].toarray().ravel() * problem.layout.scale.length_m
+    leaning = 0.01 * tilted.plane[:, 0].toarray().ravel() * problem.layout.scale.length_m
     assert np.max(leaning) > 0.15
     assert np.min(leaning) < -0.15
     # Far from the plane they are not asked for.
-    assert len(planes.rows(around, 0.2, 0.5).gap) == plain.groups
+    assert len(held_rows(planes.samples, around, 0.2, 0.5).gap) == plain.groups
 
 
 @pytest.mark.parametrize("half_width", [0.0, 60.0])
@@ -103,6 +112,6 @@ def test_a_round_body_touches_a_plane_in_one_point() -> None:
     post = structure("post", [5, 0, -3.0], {"type": "sphere", "radius_m": 1.5})
     problem = posed(scenario(spacecraft(parts=[ball]), structures=[post]), 2, 2, sites=[])
     planes = planes_of(problem)
-    rows = planes.rows(planes.around(guessed(problem), 10.0), 0.2, 10.0)
+    rows = held_rows(planes.samples, planes.around(guessed(problem), 10.0), 0.2, 10.0)
     assert len(rows.gap) == rows.groups
-    assert rows.tilt.shape[1] == 0
+    assert rows.plane.shape[1] == 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,28 +33,52 @@ class Side:
     point: Array
 
 
-def contacts(
-    a: Side, b: Side, tilt: float, tilted: Flags
-) -> Iterator[tuple[Index, Array, Array]]:
-    """(which of the instants, points of A and of B in their own frames), none of them twice.
+@dataclass(frozen=True)
+class Contacts:
+    """Points, in their own frames, that a plane between two sets has to part; none twice.
 
-    First the nearest points; then, where tilted normals find others, those in their place, all of
-    A's with all of B's.
+    Attributes:
+        pairs: (which of the instants, points of A, points of B).
+        of_a, of_b: (which of the instants, points), where both sides have several: all of A's are
+            to be parted from all of B's.
+    """
+
+    pairs: tuple[Index, Array, Array]
+    of_a: tuple[Index, Array]
+    of_b: tuple[Index, Array]
+
+
+def contacts(a: Side, b: Side, tilt: float, tilted: Flags) -> Contacts:
+    """The nearest points, and where tilted normals find others, those in their place.
+
+    Args:
+        tilt: of the normals, at most, rad.
+        tilted: (m,) where they are asked for.
     """
     whole = np.arange(len(tilted))
+    none = whole[:0], a.point[:0]
     if not np.any(tilted) or tilt <= 0.0:
-        yield whole, a.point, b.point
-        return
+        return Contacts((whole, a.point, b.point), none, none)
     of_a, of_b = _touching(a, tilt), _touching(b, tilt)
-    counts = [np.sum([new for new, _ in side], axis=0) for side in (of_a, of_b)]
-    single = ~tilted | ((counts[0] < 2) & (counts[1] < 2))
-    if np.any(single):
-        yield whole[single], a.point[single], b.point[single]
-    for new_a, va in of_a:
-        for new_b, vb in of_b:
-            which = np.flatnonzero(new_a & new_b & ~single)
-            if len(which):
-                yield which, va[which], vb[which]
+    several_a, several_b = (np.sum([new for new, _ in side], axis=0) > 1 for side in (of_a, of_b))
+    single = ~tilted | ~(several_a | several_b)
+    both = tilted & several_a & several_b
+    pairs = [(whole[single], a.point[single], b.point[single])]
+    if not np.all(single | both):
+        for new_a, va in of_a:
+            for new_b, vb in of_b:
+                which = np.flatnonzero(new_a & new_b & ~single & ~both)
+                pairs.append((which, va[which], vb[which]))
+    which, va, vb = (np.concatenate(each) for each in zip(*pairs, strict=True))
+    if not np.any(both):
+        return Contacts((which, va, vb), none, none)
+    return Contacts((which, va, vb), _where(both, of_a), _where(both, of_b))
+
+
+def _where(both: Flags, side: list[tuple[Flags, Array]]) -> tuple[Index, Array]:
+    which = [np.flatnonzero(new & both) for new, _ in side]
+    points = [v[at] for at, (_, v) in zip(which, side, strict=True)]
+    return np.concatenate(which), np.concatenate(points)
 
 
 def _touching(side: Side, tilt: float) -> list[tuple[Flags, Array]]:

@@ -22,6 +22,7 @@ from berthing.scenario.scenario import Scenario
 from berthing.solve.elastic_step import Linearised, Step, elastic_step
 from berthing.solve.evaluation import Evaluation
 from berthing.solve.held_planes import Around, HeldPlanes
+from berthing.solve.held_rows import held_rows
 from berthing.solve.ipopt import Budget, Start
 from berthing.solve.kkt_matrix import KktMatrix
 from berthing.solve.outcome import (
@@ -191,20 +192,36 @@ class _Run:
                     break
                 region *= SHRINK
             else:
+                before = at
                 at, region = self._taken(at, step, region)
+                if self._slow(before, at, step):
+                    if at.around.worst_m <= self.solver.met_m:
+                        break
+                    region = self._nearer(step, region)
             if region < LEAST:
                 break
-            if step is not None and abs(step.descent) <= self.solver.settled * abs(at.f):
-                if at.around.worst_m <= self.solver.met_m:
-                    break
-                self.penalty = min(STIFFER * self.penalty, STIFFEST)
         if status == ITERATION_LIMIT:
             status = SOLVED if at.around.worst_m <= self.solver.met_m else LOCALLY_INFEASIBLE
         return self._outcome(at, status, count)
 
+    def _slow(self, before: _Point, at: _Point, step: Step) -> bool:
+        """Whether the step promised, or brought, no more than is worth another one."""
+        enough = self.solver.settled * abs(at.f)
+        brought = abs(at.f - before.f) if at.x is not before.x else np.inf
+        return min(abs(step.descent), brought) <= enough
+
+    def _nearer(self, step: Step, region: float) -> float:
+        """What takes away the overlap that is left: a higher price where the step left it on
+        purpose; a smaller region where it did not know, for that is of second order in it."""
+        if step.penalty > self.penalty * self.solver.met_m / self.length_m:
+            self.penalty = min(STIFFER * self.penalty, STIFFEST)
+            return region
+        return SHRINK * region
+
     def _step(self, at: _Point, region: float | None, seconds: float) -> Step | None:
         tilt = TILT if region is None else min(TILT, region)
-        held = self.planes.rows(at.around, tilt, min(0.5 * at.around.reach_m, TILTED_M))
+        tilted_m = min(0.5 * at.around.reach_m, TILTED_M)
+        held = held_rows(self.solver.samples, at.around, tilt, tilted_m)
         linearised = self._linearise(at)
         step = elastic_step(linearised, held, self.penalty, self._trust(region), seconds)
         if step is not None:

@@ -9,7 +9,7 @@ import numpy as np
 from scipy import sparse
 
 from berthing.geometry.arrays import Array
-from berthing.solve.held_planes import HeldRows
+from berthing.solve.held_rows import HeldRows
 
 GAP, FEASIBILITY = 1e-4, 1e-6
 """Relative: the next step makes up for what this one leaves."""
@@ -61,31 +61,38 @@ def elastic_step(
         trust: (n,) by how much each variable may change; infinite where it may by any amount.
         seconds: wall time allowed.
     """
-    n, slacks, tilts = len(at.gradient), held.groups, held.tilt.shape[1]
+    n, slacks, tilts = len(at.gradient), held.groups, held.plane.shape[1]
     equal = np.flatnonzero(at.lower == at.upper)
     above = np.flatnonzero((at.lower < at.upper) & np.isfinite(at.upper))
     below = np.flatnonzero((at.lower < at.upper) & np.isfinite(at.lower))
     near = np.flatnonzero(np.isfinite(trust))
-    box = sparse.csr_matrix((np.ones(len(near)), (np.arange(len(near)), near)), (len(near), n))
-    m = len(held.gap)
-    group = sparse.csr_matrix((-np.ones(m), (np.arange(m), held.group)), (m, slacks))
-    J, eye = at.jacobian, sparse.identity(slacks, format="csr")
-    tilt = sparse.identity(tilts, format="csr")
-    plain = sparse.vstack([J[equal], J[above], -J[below], box, -box])
-    blocks = [[plain, None, None], [-held.slope, -held.tilt, group], [None, None, -eye]]
-    blocks += [[None, tilt, None], [None, -tilt, None]] if tilts else []
-    matrix = sparse.bmat(blocks if slacks else [[plain]], format="csc")
+    J, m, p = at.jacobian, len(held.gap), held.places.shape[0]
+    box, slack, tilt, place = (sparse.identity(k, format="csr") for k in (n, slacks, tilts, p))
+    sharing, leaning = np.flatnonzero(held.group >= 0), np.flatnonzero(np.isfinite(held.most))
+    entries = np.ones(len(sharing)), (sharing, held.group[sharing])
+    group = sparse.csr_matrix(entries, (m, slacks))
+    # What places a body at an instant stands for itself: many rows share it, and each is short.
+    blocks = [
+        [J[equal], None, None, None],
+        [held.places, None, None, -place],
+        [sparse.vstack([J[above], -J[below], box[near], -box[near]]), None, None, None],
+        [None, -held.plane, -group, -held.slope],
+        [None, sparse.vstack([tilt[leaning], -tilt[leaning]]), None, None],
+        [None, None, -slack, None],
+    ]
+    matrix = sparse.bmat(blocks, format="csc")
     right = np.concatenate([
-        at.lower[equal], at.upper[above], -at.lower[below], trust[near], trust[near],
-        held.gap, np.zeros(slacks), np.full(2 * tilts, held.most),
+        at.lower[equal], np.zeros(p), at.upper[above], -at.lower[below], trust[near], trust[near],
+        held.gap, held.most[leaning], held.most[leaning], np.zeros(slacks),
     ])  # fmt: skip
     cones = [
-        clarabel.ZeroConeT(len(equal)),
-        clarabel.NonnegativeConeT(len(right) - len(equal)),
+        clarabel.ZeroConeT(len(equal) + p),
+        clarabel.NonnegativeConeT(len(right) - len(equal) - p),
     ]
-    curvature = np.concatenate([at.curvature, np.full(tilts, HELD), np.zeros(slacks)])
+    free = np.zeros(slacks + p)
+    curvature = np.concatenate([at.curvature, np.full(tilts, HELD), free])
     hessian = sparse.diags(curvature, format="csc")
-    linear = np.concatenate([at.gradient, np.zeros(tilts), np.full(slacks, penalty)])
+    linear = np.concatenate([at.gradient, np.zeros(tilts), np.full(slacks, penalty), np.zeros(p)])
     answer = clarabel.DefaultSolver(
         hessian, linear, matrix, right, cones, _settings(seconds)
     ).solve()
@@ -93,13 +100,14 @@ def elastic_step(
         return None
     x, z = np.array(answer.x), np.array(answer.z)
     multipliers = np.zeros(len(at.lower))
-    ends = np.cumsum([len(equal), len(above), len(below)])
-    multipliers[equal] += z[: ends[0]]
+    ends = np.cumsum([len(equal) + p, len(above), len(below)])
+    multipliers[equal] += z[: len(equal)]
     multipliers[above] += z[ends[0] : ends[1]]
     multipliers[below] -= z[ends[1] : ends[2]]
     change = x[:n]
     descent = -float(at.gradient @ change + 0.5 * at.curvature @ change**2)
-    return Step(change, descent, penalty * float(np.sum(x[n + tilts :])), multipliers)
+    overlap = float(np.sum(x[n + tilts : n + tilts + slacks]))
+    return Step(change, descent, penalty * overlap, multipliers)
 
 
 def _settings(seconds: float) -> clarabel.DefaultSettings:

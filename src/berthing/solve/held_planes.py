@@ -13,17 +13,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import sparse
 
 from berthing.clearance.placed_distance import of_sets
 from berthing.geometry.arrays import Array
-from berthing.geometry.body import Part
 from berthing.geometry.pose import Pose
-from berthing.scenario.pair import Pair
 from berthing.scenario.scenario import Scenario
-from berthing.scenario.structure import Structure
-from berthing.scenario.vehicle import Vehicle
-from berthing.solve.contacts import Side, contacts, sides_of
 from berthing.solve.samples import Placed, Samples
 from berthing.transcription.elements import Index
 from berthing.transcription.problem import Motion
@@ -78,24 +72,6 @@ class Around:
         return float(sum(np.sum(np.maximum(one.short_m, 0.0)) for one in self.near))
 
 
-@dataclass(frozen=True)
-class HeldRows:
-    """Rows gap + slope δ + slack ≥ 0, in the programme's length.
-
-    Attributes:
-        gap: (m,). slope: (m, n) by the stored variables.
-        group: (m,) rows of one pair at one instant share a slack; of ``groups``.
-        tilt: (m, t) slope by tilts of planes, each at most ``most`` to either side.
-    """
-
-    gap: Array
-    slope: sparse.csr_matrix
-    group: Index
-    groups: int
-    tilt: sparse.csr_matrix
-    most: float
-
-
 class HeldPlanes:
     """Every pair of a scenario at the samples of a problem.
 
@@ -138,70 +114,6 @@ class HeldPlanes:
                 )
         return Around(motion, placed, tuple(found), reach_m)
 
-    def rows(self, around: Around, tilt: float, tilted_m: float) -> HeldRows:
-        """Rows for all that is near.
-
-        Args:
-            tilt: of the planes, at most, and of the normals that find further points, rad.
-            tilted_m: planes of pairs that keep more than this beyond their margin do not tilt.
-        """
-        entries: list[tuple[Index, Index, Array]] = []
-        turns: list[tuple[Index, Index, Array]] = []
-        gaps, groups = [np.empty(0)], [np.empty(0, np.int64)]
-        count = first = 0
-        for one in around.near:
-            pair = self._pairs[one.pair]
-            touching = contacts(*_sides(pair, one), tilt, one.short_m > -tilted_m)
-            which, va, vb = (np.concatenate(v) for v in zip(*touching, strict=True))
-            n, at, placed = one.normal[which], one.at[which], around.placed
-            reach = one.pose_b[which].apply(vb) - one.pose_a[which].apply(va)
-            gaps.append(np.sum(n * reach, axis=-1) - one.required_m[which])
-            groups.append(first + which)
-            lines = count + np.arange(len(which))
-            count += len(which)
-            entries += self._entries(placed, pair.owner_a, pair.part_a, lines, at, -n, va)
-            entries += self._entries(placed, pair.owner_b, pair.part_b, lines, at, n, vb)
-            turns.append((lines, first + which, reach))
-            first += len(one.at)
-        problem = self.samples.problem
-        length_m, size = problem.layout.scale.length_m, problem.layout.variables.size
-        group, gap = np.concatenate(groups), np.concatenate(gaps) / length_m
-        slope = _matrix(entries, (count, size), length_m)
-        tilts = self._tilts(around, turns, group, count, length_m)
-        return HeldRows(gap, slope, group, first, tilts, tilt)
-
-    def _tilts(
-        self, around: Around, turns: list[tuple[Index, Index, Array]], group: Index, count: int,
-        length_m: float,
-    ) -> sparse.csr_matrix:
-        """Slopes (m, t) by tilts of the planes that more than one pair of points touches."""
-        if not turns:
-            return sparse.csr_matrix((count, 0))
-        normal = np.concatenate([one.normal for one in around.near])
-        several = np.bincount(group, minlength=len(normal)) > 1
-        number = np.cumsum(several) - 1
-        sides = sides_of(normal)
-        entries = []
-        for lines, which, reach in turns:
-            tilting = several[which]
-            for k, side in enumerate(sides):
-                value = np.sum(side[which] * reach, axis=-1)[tilting]
-                column = len(sides) * number[which][tilting] + k
-                entries.append((lines[tilting], column, value))
-        return _matrix(entries, (count, len(sides) * int(np.sum(several))), length_m)
-
-    def _entries(
-        self, placed: Placed, owner: Vehicle | Structure, part: Part, lines: Index, at: Index,
-        n: Array, v: Array,
-    ) -> list[tuple[Index, Index, Array]]:  # fmt: skip
-        """Rows, columns and values of the slope of n·(point v of the part), where it can move."""
-        if isinstance(owner, Structure):
-            return []
-        slope = _slope(placed, owner, part, at, n, v)
-        columns, values = self.samples.spread(owner.name, at, slope)
-        rows = np.broadcast_to(lines[:, None, None], columns.shape)
-        return [(rows.ravel(), columns.ravel(), values.ravel())]
-
     def _centre_distances(self, placed: Placed) -> Array:
         """(pairs, k) of the balls' centres."""
         known: dict[str, Array] = {}
@@ -225,27 +137,3 @@ class HeldPlanes:
                     out[i, inside] = -np.inf if margin is None else margin + self._backoff_m
             self._margins = times_s, out
         return self._margins[1]
-
-
-def _sides(pair: Pair, one: Near) -> tuple[Side, Side]:
-    a, b = one.pose_a.unrotate(one.normal), one.pose_b.unrotate(-one.normal)
-    return Side(pair.part_a.shape, a, one.point_a), Side(pair.part_b.shape, b, one.point_b)
-
-
-def _matrix(
-    entries: list[tuple[Index, Index, Array]], shape: tuple[int, int], length_m: float
-) -> sparse.csr_matrix:
-    if not entries:
-        return sparse.csr_matrix(shape)
-    rows, columns, values = (np.concatenate(v) for v in zip(*entries, strict=True))
-    return sparse.csr_matrix((values / length_m, (rows, columns)), shape)
-
-
-def _slope(
-    placed: Placed, owner: Vehicle, part: Part, at: Index, n: Array, v: Array
-) -> Array:
-    """Of n·(point v of the part) by what places its owner (m, c)."""
-    body = part.placement.apply(v)
-    by_turn = (body[:, :, None] * n[:, None, :]).reshape(len(n), -1)
-    by_pose = np.concatenate([n, by_turn], axis=-1)
-    return np.asarray(np.einsum("mp,mpc->mc", by_pose, placed.slopes[owner.name][at]))

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import casadi as ca
 import numpy as np
+from scipy import sparse
 
 from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
@@ -38,6 +40,9 @@ class Samples:
 
     Args:
         fractions: (k,) of the phase.
+
+    Attributes:
+        size: how many numbers place all vehicles at all instants.
     """
 
     def __init__(self, problem: Problem, fractions: Array) -> None:
@@ -47,6 +52,10 @@ class Samples:
             name: _pose_map(own, len(self.fractions))
             for name, own in problem.layout.vehicles.items()
         }
+        counts = [len(own.pose_columns) for own in problem.layout.vehicles.values()]
+        starts = np.cumsum([0, *counts]) * len(self.fractions)
+        self._starts = dict(zip(problem.layout.vehicles, starts[:-1].tolist(), strict=True))
+        self.size = int(starts[-1])
 
     def times(self, motion: Motion) -> Array:
         """(k,) on the scenario's clock."""
@@ -67,12 +76,26 @@ class Samples:
             slopes[name] = slope * own.scale.state[columns]
         return Placed(poses, slopes)
 
-    def spread(self, vehicle: str, at: Index, slopes: Array) -> tuple[Index, Array]:
-        """Columns (m, c, w) and entries of rows (m, c) by what places ``vehicle`` at the instants
-        ``at`` (m,), by the variables of the programme."""
-        own = self.problem.layout.vehicles[vehicle]
-        columns = own.state.indices[list(own.pose_columns)][:, self._points[at]]
-        return columns.transpose(1, 0, 2), slopes[:, :, None] * self._weights[at][:, None, :]
+    def places(self, vehicle: str, at: Index) -> Index:
+        """Numbers (m, c), of ``size``, of what places ``vehicle`` at the instants ``at`` (m,)."""
+        count = len(self.problem.layout.vehicles[vehicle].pose_columns)
+        return np.asarray(self._starts[vehicle] + at[:, None] * count + np.arange(count))
+
+    @cached_property
+    def interpolation(self) -> sparse.csr_matrix:
+        """(size, n) what places the vehicles at the instants, by the stored variables."""
+        rows, columns, values = [], [], []
+        every = np.arange(len(self.fractions))
+        for name, own in self.problem.layout.vehicles.items():
+            own_columns = own.state.indices[list(own.pose_columns)][:, self._points]
+            columns.append(own_columns.transpose(1, 0, 2).ravel())
+            shape = (len(every), len(own.pose_columns), self._weights.shape[1])
+            rows.append(np.broadcast_to(self.places(name, every)[:, :, None], shape).ravel())
+            values.append(np.broadcast_to(self._weights[:, None, :], shape).ravel())
+        entries = np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))
+        matrix = sparse.csr_matrix(entries, (self.size, self.problem.layout.variables.size))
+        matrix.eliminate_zeros()
+        return matrix
 
 
 def spread_evenly(mesh: Mesh, between: int) -> Array:
@@ -88,12 +111,13 @@ def _interpolation(mesh: Mesh, fractions: Array) -> tuple[Index, Array]:
     width = max(mesh.degrees) + 1
     points = np.zeros((len(fractions), width), dtype=np.int64)
     weights = np.zeros((len(fractions), width))
-    for i, fraction in enumerate(fractions):
-        k, s = mesh.locate(float(fraction))
-        nodes = mesh.node_set(k)
-        own = interpolation_matrix(nodes.points, np.array([s]))[0]
-        points[i, : len(own)] = mesh.point_offset(k) + np.arange(len(own))
-        weights[i, : len(own)] = own
+    placed = [mesh.locate(float(fraction)) for fraction in fractions]
+    segment, within = np.array([k for k, _ in placed]), np.array([s for _, s in placed])
+    for k in np.unique(segment):
+        at, nodes = np.flatnonzero(segment == k), mesh.node_set(int(k)).points
+        own = slice(None, len(nodes))
+        points[at, own] = mesh.point_offset(int(k)) + np.arange(len(nodes))
+        weights[at, own] = interpolation_matrix(nodes, within[at])
     return points, weights
 
 
