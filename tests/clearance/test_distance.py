@@ -273,12 +273,12 @@ def test_without_a_compiler_answers_are_the_same(monkeypatch: pytest.MonkeyPatch
     poses = random_poses(np.random.default_rng(2), a, b, 10)
     fast = bt.distance(a, b, poses)
     monkeypatch.setattr(kernel_module.shutil, "which", lambda name: None)
-    kernel_module.kernel.cache_clear()
+    kernel_module.library.cache_clear()
     try:
         with pytest.warns(RuntimeWarning, match="no C compiler"):
             slow = bt.distance(a, b, poses)
     finally:
-        kernel_module.kernel.cache_clear()
+        kernel_module.library.cache_clear()
     np.testing.assert_allclose(slow.distance, fast.distance, atol=DEPTH)
     np.testing.assert_allclose(slow.normal, fast.normal, atol=1e-3)
 
@@ -290,12 +290,12 @@ def test_a_damaged_source_is_said_not_run(
     (folder / "kernel.c").write_text("this is not C")
     monkeypatch.setattr(kernel_module, "SOURCES", folder)
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder))
-    kernel_module.kernel.cache_clear()
+    kernel_module.library.cache_clear()
     try:
         with pytest.warns(RuntimeWarning, match="slower"):
             assert kernel_module.kernel() is None
     finally:
-        kernel_module.kernel.cache_clear()
+        kernel_module.library.cache_clear()
 
 
 def test_sources_compile_without_a_warning(tmp_path) -> None:

@@ -42,9 +42,6 @@ def test_without_a_compiler_answers_are_the_same(monkeypatch, a, b, dim):
     slow = query(*own, *other)
     for columns in (DISTANCE, BY_A, BY_B):
         assert np.allclose(slow[:, columns], quick[:, columns], atol=AGREES)
-    row = np.empty(pair_query.WIDTH)
-    query.at(own[0][0], own[1][0], other[0][0], other[1][0], row)()
-    assert np.array_equal(row, slow[0])
 
 
 def test_frames_may_stand_still_or_lie_apart_in_memory():

@@ -30,26 +30,42 @@ TIME_LIMIT_S = 120.0
 
 
 @cache
-def kernel() -> Any | None:
-    """``berthing_distances`` of native/kernel.c, or None, said once as a warning, where no C
-    compiler is found or it fails."""
+def library() -> Any | None:
+    """What native/kernel.c exports, or None, said once as a warning, where no C compiler is found
+    or it fails. Pointers are given as addresses."""
     compiler = next(filter(None, map(shutil.which, COMPILERS)), None)
     try:
         if compiler is None:
             raise OSError("no C compiler (cc, gcc, clang) was found")
-        function = ctypes.CDLL(str(_library(compiler))).berthing_distances
+        found = ctypes.CDLL(str(_library(compiler)))
     except (OSError, subprocess.SubprocessError) as error:
         warnings.warn(
             f"distances are up to a thousand times slower: {error}", RuntimeWarning, stacklevel=3
         )
         return None
-    # Pointers are given as addresses.
-    pointer, count, number = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
+    pointer, count, number, flag = ctypes.c_void_p, ctypes.c_long, ctypes.c_double, ctypes.c_int
     poses: list[Any] = [pointer, pointer, count]
-    sets: list[Any] = [pointer, pointer, ctypes.c_int, count]
-    function.argtypes = [*sets, *poses, *poses, number, number, pointer]
-    function.restype = count
-    return function
+    sets: list[Any] = [pointer, pointer, flag, count]
+    counts, arrays = [count] * 3, [pointer] * 5
+    for name, result, arguments in (
+        ("distances", count, [*sets, *poses, *poses, number, number, pointer]),
+        ("scene_new", pointer, [*counts, flag, *arrays, pointer, number, number]),
+        ("scene_free", None, [pointer]),
+        ("scene_valid", None, [pointer, count, pointer, number, pointer]),
+        ("scene_settle", flag, [pointer] * 3),
+        ("scene_extend", count,
+         [*([pointer] * 3), number, number, flag, pointer, count, pointer, pointer]),
+        ("scene_blocked", number, [*([pointer] * 3), number, number]),
+    ):  # fmt: skip
+        function = getattr(found, f"berthing_{name}")
+        function.argtypes, function.restype = arguments, result
+    return found
+
+
+def kernel() -> Any | None:
+    """``berthing_distances`` of native/kernel.c, or None without a compiler."""
+    found = library()
+    return None if found is None else found.berthing_distances
 
 
 def _library(compiler: str) -> Path:

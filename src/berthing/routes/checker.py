@@ -88,9 +88,9 @@ class Checker:
     def _prepare(self, margins: Mapping[Pair, float], time_s: float) -> None:
         self.pairs = tuple(margins)
         self.margins_m = np.array(list(margins.values()))
-        self._required = list(margins.values())
         self._widest_m = float(np.max(self.margins_m, initial=0.0))
         self.parts = Parts(self.pairs, [own.name for own in self.vehicles], time_s)
+        self.compiled = self.parts.compiled(self.space, self.margins_m)
 
     def valid(self, poses: Poses) -> bool | Flags:
         """Whether every pair keeps its margin, and positions their limits.
@@ -200,26 +200,22 @@ class Checker:
         return np.stack([np.broadcast_to(row, (*batch, 7)) for row in rows], axis=-2)
 
     def valid_state(self, state: Array, pad_m: float = 0.0) -> bool:
-        """That of one state (V, 7), ten times faster than a batch of one."""
-        if not self.space.within(state):
-            return False
-        pairs = self.parts.near_one(state, self._widest_m + pad_m)
-        required = self._required if pad_m == 0.0 else [m + pad_m for m in self._required]
-        return self.parts.one.clear(pairs, required)
+        """That of one state (V, 7)."""
+        return bool(self.valid_states(state[None], pad_m)[0])
 
-    def short_of(self, state: Array, pad_m: float) -> tuple[list[float], list[Array]]:
-        """Of the pairs nearer than margin and pad at a state (V, 7): by how much, in metres, and
-        how the distance grows by a stride (V, 6)."""
-        short, slopes = [], []
-        for i in self.parts.near_one(state, self._widest_m + pad_m):
-            missing = self._required[i] + pad_m - self.parts.one.distance(i)
-            if missing > 0.0:
-                short.append(missing)
-                slopes.append(self.parts.slope_one(state, i))
-        return short, slopes
+    def short_of(self, state: Array, pad_m: float) -> tuple[Array, Array]:
+        """Of the pairs nearer than margin and pad at a state (V, 7): by how much (m,), in metres,
+        and how the distance grows by a stride (m, V, 6)."""
+        found = self.near(state[None], pad_m, gradients=True)
+        missing = self.margins_m[found.pair] + pad_m - found.distance
+        short = missing > 0.0
+        assert found.gradient is not None
+        return missing[short], found.gradient[short]
 
     def valid_states(self, states: Array, pad_m: float = 0.0) -> Flags:
         """Flags (k,) of states (k, V, 7); with ``pad_m`` more than the margins."""
+        if self.compiled is not None:
+            return self.compiled.valid(states, pad_m)
         good = self.space.within(states)
         if np.any(good) and self.pairs:
             found = self.near(states, pad_m)

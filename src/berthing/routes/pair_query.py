@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
-
 import numpy as np
 
 from berthing.clearance.kernel import BY_A, BY_B, DISTANCE, WIDTH, kernel
@@ -55,25 +52,6 @@ class FramesQuery:
         if done < 0:
             raise MemoryError("no memory for the distance search")
         return rows
-
-    def at(
-        self, turn_a: Array, place_a: Array, turn_b: Array, place_b: Array, row: Array
-    ) -> Callable[[], object]:
-        """What writes ``row`` (24,) from a rotation (3, 3) and origin (3,) of each, now and again.
-
-        All five are contiguous views of arrays that the caller keeps; what these hold may change.
-        """
-        if self._compute is None:
-
-            def ask() -> None:
-                row[:] = self(turn_a[None], place_a[None], turn_b[None], place_b[None])[0]
-
-            return ask
-        ra, pa, rb, pb, out = (x.ctypes.data for x in (turn_a, place_a, turn_b, place_b, row))
-        return partial(
-            self._compute, *self._addresses, self._a.dim, 1, ra, pa, 0, rb, pb, 0,
-            APART_M, OVERLAP_M, out,
-        )  # fmt: skip
 
     def _slowly(
         self, rows: Array, turn_a: Array, place_a: Array, turn_b: Array, place_b: Array

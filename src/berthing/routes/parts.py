@@ -13,9 +13,10 @@ from berthing.geometry.arrays import Array
 from berthing.geometry.body import Part
 from berthing.geometry.pose import Pose
 from berthing.routes.broad_phase import BroadPhase, Index
-from berthing.routes.one_state import OneState
+from berthing.routes.compiled_scene import CompiledScene
 from berthing.routes.pair_query import FramesQuery
 from berthing.routes.slots import Slots
+from berthing.routes.space import Space
 from berthing.scenario.pair import Pair
 from berthing.scenario.structure import Structure
 from berthing.verify.pair_motion import cross
@@ -49,10 +50,6 @@ class Found:
     pair: Index
     distance: Array
     gradient: Array | None
-
-
-# Asking so many pairs takes less time than finding out which of them are near.
-FEW_PAIRS = 16
 
 
 class Parts:
@@ -95,8 +92,13 @@ class Parts:
         rests = self._b_rests
         self._table[self._a[rests], self._b[rests]] = np.flatnonzero(rests)
         self._mutual = np.flatnonzero(~rests)
-        table = zip(self._a.tolist(), self._b.tolist(), rests.tolist(), strict=True)
-        self.one = OneState(self._moving, self._resting, list(table), self._queries)
+        self._pairs = tuple(pairs)
+
+    def compiled(self, space: Space, required_m: Array) -> CompiledScene | None:
+        """With what each pair has to keep; None where that cannot be."""
+        b = self._b + np.where(self._b_rests, len(self._moving.radius), 0)
+        ends = np.stack([self._a, b], axis=1)
+        return CompiledScene.of(space, self._pairs, required_m, self._moving, self._resting, ends)
 
     def place(self, states: Array) -> Placed:
         """At states (k, V, 7)."""
@@ -130,24 +132,6 @@ class Parts:
         every_state, every_pair = np.concatenate(states), np.concatenate(pairs)
         order = np.lexsort((every_pair, every_state))
         return every_state[order], every_pair[order]
-
-    def near_one(self, state: Array, reach_m: float) -> Sequence[int]:
-        """Pairs that may be as near as that at one state (V, 7), which ``one`` is put at."""
-        self.one.put(state)
-        if len(self._queries) <= FEW_PAIRS:
-            return range(len(self._queries))
-        pairs: list[int] = self.near(self.place(state[None]), reach_m)[1].tolist()
-        return pairs
-
-    def slope_one(self, state: Array, pair: int) -> Array:
-        """How the distance of a pair, asked of ``one`` before, grows by a stride (V, 6)."""
-        placed = Placed(
-            self.one.turn[None], self.one.place[None], self.one.place[None], state[None]
-        )
-        whole = np.zeros((1, len(state), 6))
-        first = np.zeros(1, dtype=np.intp)
-        self._add_gradients(whole, first, placed, pair, first, self.one.rows[pair][None])
-        return np.asarray(whole[0])
 
     def found(self, placed: Placed, reach_m: float, *, gradients: bool = False) -> Found:
         """Distances of the pairs whose balls have a gap of ``reach_m`` at most."""

@@ -18,7 +18,7 @@ from berthing.routes.proven import proven
 from berthing.routes.region import Region
 from berthing.routes.resting import at_rest
 from berthing.routes.shorten import TRIES, shortened
-from berthing.routes.sliding import Slider
+from berthing.routes.sliding import slider
 from berthing.routes.space import stride
 from berthing.routes.trees import Trees
 from berthing.routes.ways import same_way
@@ -191,15 +191,15 @@ class _Searches:
     def _search(self, pad_m: float, region: Region, rounds: int, rng: np.random.Generator) -> str:
         checker = self._checker
         self._say("search", f"{1e3 * pad_m:.3g} mm beyond margins")
-        slider = Slider(checker, pad_m, region.step_m)
-        trees = Trees(checker.space, slider, region, rng, self._deadline)
+        slides = slider(checker, pad_m, region.step_m)
+        trees = Trees(checker.space, slides, region, rng, self._deadline)
         path = trees.path(self._start, self._goal, rounds)
         if path is None:
             return "nothing"
         self._say("prove", f"{len(path)} states")
-        short = shortened(checker, path, pad_m, region, rng, self.shortcuts)
+        short = shortened(checker.space, slides, path, rng, self.shortcuts)
         for candidate in (short, path):
-            states, legs = proven(checker, slider, candidate)
+            states, legs = proven(checker, slides, candidate)
             if legs.certified:
                 return self._keep(states, legs)
         return "uncertified"

@@ -14,11 +14,7 @@ import numpy as np
 from berthing.geometry.arrays import Array
 from berthing.routes.region import Region
 from berthing.routes.sliding import Slider
-from berthing.routes.space import Space, moved, stride
-
-# An extension ends when a step brings it nearer by less than this share of the step.
-PROGRESS = 0.01
-LONGEST = 400
+from berthing.routes.space import Space
 
 
 class Tree:
@@ -94,8 +90,8 @@ class Trees:
                 return None
             drawn = number > 0
             target = self._drawn() if drawn else goal
-            i, _ = self._extend(one, one.nearest(target), target, settle=drawn)
-            j, met = self._extend(other, other.nearest(one[i]), one[i], settle=False)
+            i, _ = self._extend(one, one.nearest(target), target, whole=not drawn)
+            j, met = self._extend(other, other.nearest(one[i]), one[i], whole=True)
             if met:
                 halves = one.back_from(i)[::-1], other.back_from(j)[1:]
                 # The trees take turns: the first is the goal's in every second round.
@@ -107,26 +103,9 @@ class Trees:
     def _drawn(self) -> Array:
         return self._space.sample(self._rng, self._region.lower_m, self._region.upper_m)
 
-    def _extend(self, tree: Tree, i: int, target: Array, *, settle: bool) -> tuple[int, bool]:
-        """Step towards the target, as far as it goes; the last state, and whether it was met.
-
-        A target that is a state of a tree is not settled: ends may be nearer than the pad.
-        """
-        step_m = self._region.step_m
-        way = stride(tree[i], target)
-        left = float(self._space.length(way))
-        for _ in range(LONGEST):
-            last = left <= step_m
-            if last and not settle:
-                return tree.add(target, i), True
-            state = self._slider.settled(target if last else moved(tree[i], (step_m / left) * way))
-            if state is None:
-                break
-            way = stride(state, target)
-            ahead = float(self._space.length(way))
-            if ahead > left - PROGRESS * step_m:
-                break
-            left, i = ahead, tree.add(state, i)
-            if last:
-                break
-        return i, False
+    def _extend(self, tree: Tree, i: int, target: Array, *, whole: bool) -> tuple[int, bool]:
+        """Step towards the target, as far as it goes; the last state, and whether it was met."""
+        states, met = self._slider.extended(tree[i], target, whole=whole)
+        for state in states:
+            i = tree.add(state, i)
+        return i, met
