@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from berthing.geometry.arrays import Array
 from berthing.scenario.phase import Phase
 from berthing.scenario.vehicle import Vehicle
 from berthing.trajectory import PhaseTrajectory, VehicleTrajectory
@@ -26,7 +27,27 @@ def split_unresolved(mesh: Mesh, phase: Phase, trajectory: PhaseTrajectory) -> M
 
     And those in which a path constraint that holds at the nodes fails between them.
     """
-    residual = np.zeros(mesh.segments)
+    missed = residuals(phase, trajectory)
+    coarse = set(np.flatnonzero(missed >= SHARE * np.max(missed)).tolist())
+    beyond = {k for v in phase.vehicles for k in _beyond(v, trajectory.vehicle(v.name))}
+    # Where a constraint is all that is wrong, the dynamics need no finer mesh.
+    return mesh.split(beyond or coarse)
+
+
+def graded(mesh: Mesh, phase: Phase, trajectory: PhaseTrajectory, segments: int) -> Mesh:
+    """``mesh`` cut, where the interpolant misses its equations most, into so many segments."""
+    missed = residuals(phase, trajectory)
+    while mesh.segments < segments:
+        worst = int(np.argmax(missed))
+        half = missed[worst] * 0.5 ** (mesh.degrees[worst] + 1)
+        mesh = mesh.split({worst})
+        missed = np.concatenate([missed[:worst], [half, half], missed[worst + 1 :]])
+    return mesh
+
+
+def residuals(phase: Phase, trajectory: PhaseTrajectory) -> Array:
+    """(segments,) the largest miss of the equations of motion in each, times its length."""
+    missed = np.zeros(len(trajectory.vehicles[0].segments))
     for vehicle in phase.vehicles:
         rates = derivative(vehicle.model)
         own = trajectory.vehicle(vehicle.name)
@@ -37,12 +58,8 @@ def split_unresolved(mesh: Mesh, phase: Phase, trajectory: PhaseTrajectory) -> M
             scale = np.maximum(np.max(np.abs(own.state_rate(own.breaks_s)), axis=0), 1e-9)
             for ti, xi, di, ui in zip(t, x, slope, u, strict=True):
                 gap = np.abs(di - rates(float(ti), xi, ui)) / scale
-                residual[k] = max(residual[k], float(np.max(gap)) * (segment.t1_s - segment.t0_s))
-    worst = float(residual.max())
-    coarse = {k for k in range(mesh.segments) if residual[k] >= SHARE * worst}
-    beyond = {k for v in phase.vehicles for k in _beyond(v, trajectory.vehicle(v.name))}
-    # Where a constraint is all that is wrong, the dynamics need no finer mesh.
-    return mesh.split(beyond or coarse)
+                missed[k] = max(missed[k], float(np.max(gap)) * (segment.t1_s - segment.t0_s))
+    return missed
 
 
 def _beyond(vehicle: Vehicle, own: VehicleTrajectory) -> set[int]:

@@ -16,11 +16,12 @@ from berthing.guess.normals import exact_normals
 from berthing.guess.path import resample
 from berthing.refine.place import dips_of
 from berthing.refine.refiner import BACKOFF_M, Refinement, Refiner, Step, attempt
-from berthing.refine.remesh import split_unresolved
+from berthing.refine.remesh import graded, split_unresolved
 from berthing.solve.convex_steps import ConvexSteps
 from berthing.solve.ipopt import Answer, Budget, Start
 from berthing.solve.outcome import TIME_LIMIT
 from berthing.solve.samples import spread_evenly
+from berthing.transcription.extract import trajectories
 from berthing.transcription.mesh import Mesh
 from berthing.transcription.problem import Motion, Problem, build
 from berthing.verify.verdict import UNDECIDED, VIOLATED
@@ -28,8 +29,12 @@ from berthing.verify.verdict import UNDECIDED, VIOLATED
 BETWEEN = 1
 """Samples between two points of the mesh to begin with."""
 
-REGION, LATER = 0.03, 0.005
-"""Trust regions of the first step in the first round, and in those after it."""
+REGION = 0.03
+"""Trust region of the first step in the first round."""
+
+LATER, DEPTHS, CALM = 0.005, 4.0, 5e-4
+"""In those after it so many times the deepest dip, but at most and at least this much: what else
+moves dips elsewhere."""
 
 SETTLED = 3e-3
 """Promised gain, as a share of the objective, at which steps end."""
@@ -61,13 +66,17 @@ SAME = 0.1
 
 def stepped(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Refinement:
     """Refine ``motion``, the answer of ``coarse``, until certified or out of rounds."""
-    result, mesh, failed = Refinement(), refiner.mesh, 0
+    result, failed = Refinement(), 0
+    guessed = trajectories(coarse, motion)
+    mesh = graded(coarse.mesh, refiner.phase, guessed, refiner.mesh.segments)
     motion = resample(motion, refiner.phase, coarse.mesh, mesh)
     problem, fractions = _problem(refiner, mesh), spread_evenly(mesh, BETWEEN)
+    length_m, region = problem.layout.scale.length_m, REGION
     spacing = SPACING / len(fractions)
+    dips = [t for _, t in dips_of(refiner.sample(problem, motion, NEAR_M), 0.0)]
+    fractions = _denser(fractions, _fractions(problem, motion, dips), spacing)
     for round_ in range(ROUNDS):
         left = max(refiner.deadline - time.monotonic(), 0.1)
-        region = LATER if round_ else REGION
         budget = Budget(STEPS, left)
         solver = ConvexSteps(problem, budget, fractions, region, SETTLED, LEFT * BACKOFF_M)
         start = Start(motion, exact_normals(problem.pairs))
@@ -82,6 +91,7 @@ def stepped(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Ref
         sampled = refiner.sample(problem, motion, NEAR_M)
         refiner.report(label, outcome.iterations, -sampled.worst_m)
         dips = [t for _, t in dips_of(sampled, ALLOWED * BACKOFF_M)]
+        region = float(np.clip(DEPTHS * sampled.worst_m / length_m, CALM, LATER))
         if not dips:
             result.answer = Answer(problem, outcome)
             refiner.verify(result, Step(problem, outcome, sampled))
@@ -89,8 +99,8 @@ def stepped(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Ref
                 break
             dips = _not_proven(result)
         if dips:
-            at = (np.array(dips) - problem.layout.t0_s) / motion.duration_s
-            fractions, spacing = _denser(fractions, at, spacing), SHRINK * spacing
+            spacing *= SHRINK
+            fractions = _denser(fractions, _fractions(problem, motion, dips), spacing)
             continue
         assert result.plan is not None
         finer = split_unresolved(mesh, refiner.phase, result.plan.phases[0])
@@ -111,6 +121,10 @@ def _not_proven(result: Refinement) -> list[float]:
         if verdict.verdict in (VIOLATED, UNDECIDED) and not verdict.lost_to_tube
         for t in (*verdict.violations_s, verdict.time_s)
     ]
+
+
+def _fractions(problem: Problem, motion: Motion, times_s: list[float]) -> Array:
+    return np.asarray((np.array(times_s) - problem.layout.t0_s) / motion.duration_s)
 
 
 def _problem(refiner: Refiner, mesh: Mesh) -> Problem:
