@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import berthing as bt
-from berthing.routes import routing
+from berthing.routes import seeking
 
 
 def test_a_route_is_written_with_its_bounds(run, tmp_path):
@@ -50,7 +50,7 @@ def test_a_folder_in_use_wants_force(run, tmp_path):
 
 
 def test_none_found_exits_3_and_says_what_was_tried(run, tmp_path, monkeypatch):
-    monkeypatch.setattr(routing, "LADDER", ((0, 1.0, 1),))
+    monkeypatch.setattr(seeking, "LADDER", ((0, 1.0, 1),))
     done = run("route", "scenario-a", "--seed", "7")
     assert done.exit_code == 3
     (file,) = (tmp_path / "routes" / "scenario-a").iterdir()

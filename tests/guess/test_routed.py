@@ -69,7 +69,7 @@ def test_out_of_a_room_a_route_comes_first(closed: Scenario) -> None:
 
 
 def test_where_a_simple_guess_is_clear_none_is_looked_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(routing, "route", None)
+    monkeypatch.setattr(routing, "Seeker", None)
     post = structure("post", [3, 0.1], {"type": "sphere", "radius_m": 0.6})
     assert not any(name.startswith("route") for name in names(scenario(puck(), structures=[post])))
     assert not any(name.startswith("route") for name in names(load("scenario-a")))
@@ -83,7 +83,7 @@ def test_where_there_is_no_way_simple_guesses_are_left(monkeypatch: pytest.Monke
 def test_nothing_is_searched_where_structures_move_or_a_car_drives(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(routing, "route", None)
+    monkeypatch.setattr(routing, "Seeker", None)
     for name in ("spinning-structure", "parking-backwards"):
         given = load(name)
         assert routed(given, given.phases[0], 0, 1, np.inf) == []
@@ -98,7 +98,7 @@ def test_a_seed_draws_other_routes_and_the_same_seed_none_again(
     assert first.positions_m.shape != other.positions_m.shape or not np.allclose(
         first.positions_m, other.positions_m
     )
-    monkeypatch.setattr(routing, "route", None)
+    monkeypatch.setattr(routing, "Seeker", None)
     assert routed(given, phase, 0, 1, np.inf)[0].paths["puck"] is first
 
 

@@ -9,7 +9,7 @@ from berthing.clearance.separation import separation
 from berthing.errors import InputError
 from berthing.geometry import quaternion
 from berthing.geometry.half_space import HalfSpace
-from berthing.routes import routing
+from berthing.routes import seeking
 from berthing.routes.checker import Checker
 from berthing.routes.resting import at_rest
 from berthing.routes.routing import route
@@ -128,7 +128,7 @@ def test_where_there_is_one_way_only_one_is_found():
 
 @pytest.mark.slow
 def test_what_cannot_be_left_has_no_route(monkeypatch):
-    monkeypatch.setattr(routing, "LADDER", ((0, 1.0, 10), (1, 0.5, 10)))
+    monkeypatch.setattr(seeking, "LADDER", ((0, 1.0, 10), (1, 0.5, 10)))
     found = route(boxed_in())
     assert found.outcome == "iteration_limit"
     assert found.routes == ()

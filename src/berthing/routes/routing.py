@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,25 +15,14 @@ from berthing.routes.checker import Checker
 from berthing.routes.ends import ends_of
 from berthing.routes.legs import Legs
 from berthing.routes.proven import proven
-from berthing.routes.region import Region
 from berthing.routes.resting import at_rest
-from berthing.routes.shorten import TRIES, shortened
-from berthing.routes.sliding import slider
+from berthing.routes.seeking import Found, Seeker
 from berthing.routes.space import stride
-from berthing.routes.trees import Trees
 from berthing.routes.ways import same_way
 from berthing.scenario.scenario import Scenario
 from berthing.verify.endpoints import check_endpoints
 
 Progress = Callable[[ProgressEvent], None]
-
-# Searches, by what they keep beyond margins (an index of ``Region.pads_m``), the share of a whole
-# step, and rounds: a passage that a wide pad closes is soon looked for with a narrow one, short
-# steps do not leap through what is thin, and patience comes last.
-LADDER = (
-    (0, 1.0, 400), (1, 1.0, 400), (2, 1.0, 400),
-    (0, 0.25, 400), (0, 1.0, 4000), (1, 0.5, 4000), (2, 0.25, 4000),
-)  # fmt: skip
 
 # Routes found for each way that is asked for, after which there is taken to be no other.
 ROUTES_A_WAY = 6
@@ -105,7 +94,6 @@ def route(
     classes: int = 1,
     time_limit_s: float | None = None,
     progress: Progress | None = None,
-    shortcuts: int = TRIES,
 ) -> Routes:
     """Find ways for the vehicles of a scenario, and prove them.
 
@@ -118,7 +106,6 @@ def route(
         classes: how many ways that cannot be swept into each other by straight strides.
         time_limit_s: wall time allowed; None for as long as the searches take.
         progress: is told what goes on.
-        shortcuts: that are tried on a path: fewer of them leave it longer, sooner.
 
     Raises:
         InputError: a scenario of several phases, structures that move apart or a goal that does
@@ -130,8 +117,8 @@ def route(
     still, frame = at_rest(scenario)
     checker = Checker(still)
     start, goal = ends_of(checker, np.random.default_rng(seed))
-    search = _Searches(checker, start, goal, seed, began + (time_limit_s or np.inf), progress)
-    search.shortcuts = shortcuts
+    seeker = Seeker(checker, start, goal)
+    search = _Searches(seeker, seed, began + (time_limit_s or np.inf), progress)
     search.run(classes)
     outcome = CERTIFIED if search.routes else TIME_LIMIT if search.late else ITERATION_LIMIT
     names = tuple(own.name for own in checker.vehicles)
@@ -153,15 +140,12 @@ class _Searches:
     """What is tried, in order, and what came of it."""
 
     def __init__(
-        self, checker: Checker, start: Array, goal: Array, seed: int, deadline: float,
-        progress: Progress | None,
-    ) -> None:  # fmt: skip
-        self._checker, self._start, self._goal = checker, start, goal
-        self._region = Region.of(checker, start, goal)
-        self._seed, self._deadline, self._progress = seed, deadline, progress
+        self, seeker: Seeker, seed: int, deadline: float, progress: Progress | None
+    ) -> None:
+        self._seeker, self._seed = seeker, seed
+        self._deadline, self._progress = deadline, progress
         self.routes: list[Route] = []
         self.made: list[Search] = []
-        self.shortcuts = TRIES
 
     @property
     def late(self) -> bool:
@@ -175,39 +159,31 @@ class _Searches:
 
     def _one(self, number: int) -> bool:
         """Find one route, of a new way or not; False where there is none or time is up."""
-        for rung, (pad, share, rounds) in enumerate(LADDER):
-            rng = np.random.default_rng([self._seed, number, rung])
-            began = time.monotonic()
-            region = replace(self._region, step_m=share * self._region.step_m)
-            found = self._search(region.pads_m[pad], region, rounds, rng)
-            seconds = time.monotonic() - began
-            self.made.append(Search(region.pads_m[pad], region.step_m, rounds, found, seconds))
+        began = time.monotonic()
+        self._say("search", f"route {number + 1}")
+        for search in self._seeker.searches(self._seed, number, self._deadline):
+            found = self._kept(search)
+            now = time.monotonic()
+            self.made.append(Search(search.pad_m, search.step_m, search.rounds, found, now - began))
+            began = now
             if found in ("way", "known"):
                 return True
-            if self.late:
-                break
+            self._say("search", f"{1e3 * search.pad_m:.3g} mm beyond margins: {found}")
         return False
 
-    def _search(self, pad_m: float, region: Region, rounds: int, rng: np.random.Generator) -> str:
-        checker = self._checker
-        self._say("search", f"{1e3 * pad_m:.3g} mm beyond margins")
-        slides = slider(checker, pad_m, region.step_m)
-        trees = Trees(checker.space, slides, region, rng, self._deadline)
-        path = trees.path(self._start, self._goal, rounds)
-        if path is None:
-            return "nothing"
-        self._say("prove", f"{len(path)} states")
-        short = shortened(checker.space, slides, path, rng, self.shortcuts)
-        for candidate in (short, path):
-            states, legs = proven(checker, slides, candidate)
+    def _kept(self, search: Found) -> str:
+        for candidate in search.paths:
+            self._say("prove", f"{len(candidate)} states")
+            states, legs = proven(self._seeker.checker, search.slides, candidate)
             if legs.certified:
                 return self._keep(states, legs)
-        return "uncertified"
+        return "uncertified" if search.paths else "nothing"
 
     def _keep(self, states: Array, legs: Legs) -> str:
-        if any(same_way(self._checker, states, old.states) for old in self.routes):
+        checker = self._seeker.checker
+        if any(same_way(checker, states, old.states) for old in self.routes):
             return "known"
-        lengths = self._checker.space.length(stride(states[:-1], states[1:]))
+        lengths = checker.space.length(stride(states[:-1], states[1:]))
         self.routes.append(Route(states, legs, float(np.sum(lengths))))
         return "way"
 

@@ -46,9 +46,9 @@ class Slider(Protocol):
             The states without x, and whether the last one is the target as it is.
         """
 
-    def blocked(self, a: Array, b: Array) -> float | None:
-        """A fraction of the leg from a to b (V, 7) that lacks limits, margins or pad; None where
-        none is found. The margins of its ends are not looked at."""
+    def blocked(self, a: Array, b: Array, *, lax: float = 0.0) -> float | None:
+        """A fraction of the leg from a to b (V, 7) that lacks limits, margins or pad, by more than
+        ``lax`` steps; None where none is found. The margins of its ends are not looked at."""
 
 
 def slider(checker: Checker, pad_m: float, step_m: float) -> Slider:
@@ -83,8 +83,9 @@ class CompiledSlider:
             x, target, step_m, PROGRESS * step_m, self._how, LONGEST, whole=whole
         )
 
-    def blocked(self, a: Array, b: Array) -> float | None:
-        return self._scene.blocked(a, b, self._step_m / SAMPLES_A_STEP, self._pad_m)
+    def blocked(self, a: Array, b: Array, *, lax: float = 0.0) -> float | None:
+        step_m = self._step_m
+        return self._scene.blocked(a, b, step_m / SAMPLES_A_STEP, self._pad_m - lax * step_m)
 
 
 class PlainSlider:
@@ -139,7 +140,7 @@ class PlainSlider:
                 break
         return np.reshape(found, (-1, *target.shape)), False
 
-    def blocked(self, a: Array, b: Array) -> float | None:
+    def blocked(self, a: Array, b: Array, *, lax: float = 0.0) -> float | None:
         space = self._checker.space
         if not space.within(np.stack([a, b])).all():
             return float(space.within(a))
@@ -148,5 +149,6 @@ class PlainSlider:
         where = np.linspace(0.0, 1.0, count)[1:-1]
         if not len(where):
             return None
-        good = self._checker.valid_states(between(a, b, where), self._pad_m)
+        pad_m = self._pad_m - lax * self._step_m
+        good = self._checker.valid_states(between(a, b, where), pad_m)
         return None if np.all(good) else float(where[np.argmin(good)])
