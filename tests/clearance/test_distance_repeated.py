@@ -9,10 +9,11 @@ import pytest
 from benchmarks import _distance_checks
 from benchmarks._distance_order import Repeated, upper_bounds_wrong
 from benchmarks._distance_poses import random_poses
-from benchmarks._distance_sets import SPACE, TILTED
+from benchmarks._distance_sets import SMOOTH, SPACE, TILTED, pose_law
 
 import berthing as bt
 from berthing.geometry.half_space import HalfSpace
+from berthing.geometry.pose import Pose
 from support.distances import BRACKET, DEPTH, GRADIENT
 from support.shapes import SHAPES
 
@@ -123,3 +124,29 @@ def test_sets_that_just_touch_have_narrow_brackets_too(seed: int, gap_m: float) 
     assert len(width) > 5
     assert np.max(width) <= BRACKET
     assert np.max(np.abs(found.distance - gap_m)) <= BRACKET
+
+
+@pytest.mark.parametrize("x", [0.65, 0.68, 0.7])
+def test_the_depth_is_that_of_the_nearest_side(x: float) -> None:
+    """Newton's method keeps to the side of the pose before, which is a good one of its own."""
+    y = np.linspace(0.003, -0.003, 60)
+    places = np.stack([np.full_like(y, x), y, np.zeros_like(y)], axis=1)
+    turns = np.broadcast_to(np.eye(3), (len(y), 3, 3))
+    here, there = Pose(np.zeros_like(places), turns), Pose(places, turns)
+    wide, small = bt.Ellipsoid([1.0, 0.5, 0.8]), bt.Ellipsoid([0.05, 0.06, 0.07])
+    found = bt.distance(wide, small, there)
+    assert np.all(found.normal[:, 1] * y > 0.0)
+    assert not np.any(upper_bounds_wrong(found, wide, here, small, there))
+    assert np.max(found.upper_bound - found.lower_bound) <= DEPTH
+
+
+@pytest.mark.parametrize("name", ["superellipsoid cylinder – cube 0.5", "LSE cube 0.5 – ellipsoid"])
+def test_depths_hold_all_along_a_path(name: str) -> None:
+    """What proves the depth is taken along from pose to pose, and mended."""
+    a, b = SMOOTH[name]
+    along = pose_law(100_000)[400:800]
+    still = np.broadcast_to(np.eye(3), (400, 3, 3))
+    found = bt.distance(a, b, along)
+    assert np.mean(found.distance < 0.0) > 0.1
+    assert not np.any(upper_bounds_wrong(found, a, Pose(0.0 * along.position, still), b, along))
+    assert np.max((found.upper_bound - found.lower_bound)[found.distance < 0.0]) <= DEPTH

@@ -9,6 +9,7 @@
    takes few points. */
 #ifndef EXPANDING_H
 #define EXPANDING_H
+#include "cap.h"
 #include "face_heap.h"
 
 /* What the search found: at best the sets part by -`lower` along `normal`, and not by less
@@ -157,6 +158,7 @@ static int grow(Hull *h, int seed, double thin)
     for (int i = 0; i < n_edges; i++)
         for (int j = 0; j < n_edges; j++)
             if (edge[j][0] == edge[i][1]) {
+                if (h->f[made[i]].next[1] >= 0) return 0;
                 h->f[made[i]].next[1] = made[j];
                 h->f[made[j]].next[2] = made[i];
             }
@@ -165,40 +167,30 @@ static int grow(Hull *h, int seed, double thin)
     return n_edges;
 }
 
-/* New faces wait to be looked at, unless they prove enough as they are. Returns the most that one of
+/* New faces wait to be looked at, unless they or the cap prove enough as they are. Returns the most that one of
    those leaves open, or the `passed` before. */
-static double sort_out(Hull *h, const int *faces, int n, double enough, double passed)
+static double sort_out(Hull *h, const Cap *cap, const int *faces, int n, double enough, double passed)
 {
     for (int i = 0; i < n; i++) {
+        const Face *f = &h->f[faces[i]];
         double depth = depth_of(h, faces[i]);
-        if (depth > enough) enter(h, faces[i]);
-        else passed = larger(passed, depth);
+        if (depth <= enough) passed = larger(passed, depth);
+        else if (in_cap(cap, f->m, f->d, -enough)) passed = larger(passed, cap->lower);
+        else enter(h, faces[i]);
     }
     return passed;
 }
 
-/* With the hull that of the set peeled by `round`; `sound` tells whether the origin is in that hull.
-   If not, its faces prove nothing: what is peeled is too much. */
-static Depth expand_peeled(Pair *pair, Hull *h, Depth found, double tolerance, double round, int *sound)
+/* Until the faces at hand prove what is found, or points run out; `sound` tells whether the origin is
+   in the hull. If not, its faces prove nothing: what is peeled is too much. */
+static Depth refine(Pair *pair, Hull *h, const Cap *cap, Depth found, double tolerance, double passed,
+                    int *sound)
 {
-    static const int first[4] = {0, 1, 2, 3};
-    double bound, passed = -INFINITY;
-    V flat;
-    h->round = round;
-    *sound = 0;
-    if (first_points(pair, h, &flat) < 3) {
-        lowest(pair, flat, &bound);
-        *sound = round == 0.0;
-        if (!*sound || bound <= found.lower) return found;
-        return (Depth){bound, larger(bound, 0.0), flat};
-    }
-    if (!first_hull(h)) return found;
     pair->slack = 0.1 * tolerance;
-    passed = sort_out(h, first, 4, found.lower + tolerance, passed);
     for (;;) {
         int f = h->waiting ? h->heap[0] : -1;
-        double depth = larger(passed, f < 0 ? -INFINITY : depth_of(h, f));
-        *sound = depth <= -round;
+        double bound, depth = larger(passed, f < 0 ? -INFINITY : depth_of(h, f));
+        *sound = depth <= -h->round;
         if (*sound) found.upper = fmin(found.upper, depth);
         if (f < 0 || found.lower >= depth_of(h, f) - tolerance) break;
         V n = mul(-1.0, h->f[f].m);
@@ -210,27 +202,71 @@ static Depth expand_peeled(Pair *pair, Hull *h, Depth found, double tolerance, d
         if (dot(h->f[f].m, v.y) - h->f[f].d <= tolerance || h->points == MOST_POINTS) break;
         h->p[h->points++] = v;
         int made = grow(h, f, 1e-14 * pair->size);
-        if (!made) break;
-        passed = sort_out(h, h->made, made, found.lower + tolerance, passed);
+        if (!made) { *sound = 0; break; }
+        passed = sort_out(h, cap, h->made, made, found.lower + tolerance, passed);
     }
     pair->slack = 0.0;
     return found;
 }
 
+/* With the hull that of the set peeled by `round`. */
+static Depth expand_peeled(Pair *pair, Hull *h, const Cap *cap, Depth found, double tolerance,
+                           double round, int *sound)
+{
+    static const int first[4] = {0, 1, 2, 3};
+    double bound;
+    V flat;
+    h->round = round;
+    *sound = 0;
+    if (first_points(pair, h, &flat) < 3) {
+        lowest(pair, flat, &bound);
+        *sound = round == 0.0;
+        if (!*sound || bound <= found.lower) return found;
+        return (Depth){bound, larger(bound, 0.0), flat};
+    }
+    if (!first_hull(h)) return found;
+    double passed = sort_out(h, cap, first, 4, found.lower + tolerance, -INFINITY);
+    found = refine(pair, h, cap, found, tolerance, passed, sound);
+    if (*sound && round == 0.0) h->owner = pair;
+    return found;
+}
+
+/* The hull of another pose: its members only move, and its faces still close around the origin if all
+   have it to their inner side. They need not make a convex body: each direction is covered by a face,
+   which is no nearer than its plane. */
+static Depth go_on(Pair *pair, Hull *h, const Cap *cap, Depth found, double tolerance, int *sound)
+{
+    double passed = -INFINITY;
+    *sound = 0;
+    h->waiting = 0;
+    for (int i = 0; i < h->points; i++) h->p[i].y = difference(pair, h->p[i].a, h->p[i].b);
+    for (int f = 0; f < h->faces; f++) {
+        const int *v = h->f[f].v;
+        if (!h->f[f].alive) continue;
+        if (!set_face(h, f, v[0], v[1], v[2]) || h->f[f].d <= 0.0) return found;
+        passed = sort_out(h, cap, &f, 1, found.lower + tolerance, passed);
+    }
+    return refine(pair, h, cap, found, tolerance, passed, sound);
+}
+
 /* From a normal whose bound is known; ends where no other normal can be better by more than the
    tolerance, or where points run out: `upper` says how much is left open. What is peeled is less than
    the depth, or the origin would be left outside. */
-static Depth expand(Pair *pair, Hull *h, Depth found, double tolerance)
+static Depth expand(Pair *pair, Hull *h, const Cap *cap, Depth found, double tolerance)
 {
-    double most = roundness(&pair->a) + roundness(&pair->b);
+    double most = cap->sine > 0.0 ? 0.0 : roundness(&pair->a) + roundness(&pair->b);
+    int sound = 0;
+    if (h->owner == pair && h->points <= MOST_CARRIED) {
+        found = go_on(pair, h, cap, found, tolerance, &sound);
+        if (sound) return found;
+    }
+    h->owner = 0;
     for (double part = 0.8; part > 0.1 && most > 0.0; part -= 0.4) {
         double round = fmin(most, isfinite(found.lower) ? -part * found.lower : most);
         if (round <= 10.0 * tolerance) break;
-        int sound;
-        found = expand_peeled(pair, h, found, tolerance, round, &sound);
+        found = expand_peeled(pair, h, cap, found, tolerance, round, &sound);
         if (sound) return found;
     }
-    int sound;
-    return expand_peeled(pair, h, found, tolerance, 0.0, &sound);
+    return expand_peeled(pair, h, cap, found, tolerance, 0.0, &sound);
 }
 #endif

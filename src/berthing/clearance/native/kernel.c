@@ -11,7 +11,7 @@ long berthing_distances(const double *a, const double *b, int dim, long k, const
 {
     Path path = path_of(a, b, dim, tolerance, depth_tolerance);
     long open = 0;
-    path.hull = malloc(sizeof(Hull));
+    path.hull = new_hull();
     if (!path.hull) return -1;
     for (long i = 0; i < k; i++, out += WIDTH) {
         M A = rows(RA + 9 * step_a * i), B = rows(RB + 9 * step_b * i);

@@ -9,7 +9,7 @@
 typedef struct {
     Pair pair;
     Simplex simplex;
-    Closest closest;
+    Closest closest, before;
     Hull *hull;
     double tolerance, depth_tolerance;
     int smooth;
@@ -17,6 +17,8 @@ typedef struct {
 
 /* Gap, in terms of the size, to which sets that overlap or nearly touch are parted. */
 static const double PARTED = 0.05, TOUCHING = 1e-3;
+/* Closest points that move further than this from pose to pose, in terms of the size, may go anywhere. */
+static const double LEAP = 0.1;
 enum { MOST_STEPS = 300, MOST_PARTINGS = 300 };
 
 /* The direction that a slowing row of steps points to: each is q times the one before. */
@@ -111,8 +113,10 @@ static Answer overlapping(Path *path, Answer known)
 {
     Pair *pair = &path->pair;
     Depth depth = {known.lower, isfinite(known.upper) ? known.upper : 0.0, known.normal};
+    Cap cap = path->closest.known ? cap_of(pair, &known) : NO_CAP;
+    if (!path->closest.known) path->hull->owner = 0;
     if (pair->dim == 2) depth = expand_plane(pair, path->hull, depth, path->depth_tolerance);
-    else depth = expand(pair, path->hull, depth, path->depth_tolerance);
+    else depth = expand(pair, path->hull, &cap, depth, path->depth_tolerance);
     Answer best = known;
     if (depth.lower > known.lower || !isfinite(known.lower)) {
         best.normal = length(depth.normal) > 0.0 ? depth.normal : first_direction(pair);
@@ -136,13 +140,30 @@ static Answer overlapping(Path *path, Answer known)
     return best;
 }
 
+/* Along the straight line through the last two solutions, unless they are far apart. */
+static Closest onwards(const Path *path)
+{
+    const Closest *now = &path->closest, *then = &path->before;
+    V w = sub(now->w, then->w), p = sub(now->p, then->p);
+    double far = sqrt(dot(w, w) + dot(p, p));
+    if (!then->known || far > LEAP * path->pair.size) return *now;
+    return (Closest){add(now->w, w), add(now->p, p), 1};
+}
+
 /* From the last solution along the path, or from where a rough search by support points ends. */
 static int by_newton(Path *path, Answer *answer)
 {
     Pair *pair = &path->pair;
-    if (path->closest.known && newton(pair, &path->closest, answer))
-        if (answer->overlap || answer->upper - answer->lower <= path->tolerance) return 1;
-    path->closest.known = 0;
+    if (path->closest.known) {
+        Closest at = onwards(path);
+        path->before = path->closest;
+        int there = newton(pair, &at, answer);
+        if (there && (answer->overlap || answer->upper - answer->lower <= path->tolerance)) {
+            path->closest = at;
+            return 1;
+        }
+    }
+    path->closest.known = path->before.known = 0;
     Answer rough = gjk(pair, &path->simplex, 1e-3 * pair->size, MOST_STEPS);
     if (rough.overlap) return 0;
     double bound;

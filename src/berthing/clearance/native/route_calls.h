@@ -46,7 +46,7 @@ Scene *berthing_scene_new(long vehicles, long slots, long links, int dim, const 
     s->link = calloc(links + 1, sizeof(Link));
     s->path = calloc(links + 1, sizeof(Path));
     s->row = calloc(WIDTH * (links + 1), sizeof(double));
-    s->hull = malloc(sizeof(Hull));
+    s->hull = new_hull();
     double *next = s->state = calloc((2 * STATE + 13) * vehicles + n * n + 3 * n + 1, sizeof(double));
     if (!s->slot || !s->link || !s->path || !s->row || !s->hull || !next) {
         berthing_scene_free(s);
