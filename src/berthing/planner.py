@@ -268,7 +268,7 @@ def _from_guesses(work: _Work, wave: Wave, best: Refinement | None) -> Refinemen
             candidate := search.next_candidate(_certified_cost(best), more=not astray)
         ) is not None:
             name, answer = candidate
-            further = stepped if wave.crowds else refine
+            further = stepped if wave.steps else refine
             refined = further(refiner, name, found.problem, answer.motion)
             work.attempts += refined.attempts
             # Where the coarse answer itself steps through things others will: share planes.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from berthing.guess.search import EFFORTS
 from berthing.planner import plan
 from berthing.refine import first_answers
 from berthing.refine.first_answers import Coarse, Wave
@@ -13,7 +14,7 @@ from support.documents import puck, scenario, structure
 
 FIELD = [
     structure(f"post-{i}", [1.5 + 0.5 * i, (-1) ** i * 0.75], {"type": "sphere", "radius_m": 0.3})
-    for i in range(first_answers.CROWD + 1)
+    for i in range(EFFORTS["normal"].exact + 1)
 ]
 
 
@@ -37,5 +38,5 @@ def test_a_few_things_are_left_to_the_exact_form(monkeypatch) -> None:
     coarse = Coarse(
         given, phase, mesh, given.solver, lambda name, *_: notes.append(name), float("inf")
     )
-    assert coarse.first(Wave(patient=False, crowds=True)) is None
+    assert coarse.first(Wave(patient=False, steps="crowded")) is None
     assert notes == []

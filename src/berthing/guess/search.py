@@ -36,18 +36,21 @@ class Effort:
         worth: with a certified plan at hand, a further answer is refined only if its cost, which
             understates, is below this share of the plan's.
         drawn: random guesses.
+        exact: pairs near some guess, up to which planes are variables from the start: answers are
+            then optimal to the last digit, where convex steps end within a percent, but sooner.
     """
 
     agreeing: float
     answers: float
     worth: float
     drawn: int
+    exact: int
 
 
 EFFORTS = {
-    "fast": Effort(agreeing=1, answers=1, worth=0.0, drawn=2),
-    "normal": Effort(agreeing=2, answers=4, worth=0.97, drawn=2),
-    "thorough": Effort(agreeing=np.inf, answers=np.inf, worth=1.0, drawn=8),
+    "fast": Effort(agreeing=1, answers=1, worth=0.0, drawn=2, exact=3),
+    "normal": Effort(agreeing=2, answers=4, worth=0.97, drawn=2, exact=6),
+    "thorough": Effort(agreeing=np.inf, answers=np.inf, worth=1.0, drawn=8, exact=6),
 }
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from berthing.guess.continuation import Continuation
 from berthing.guess.first_motions import DEFAULT, ROUTES, FirstMotions, first_motions
 from berthing.guess.nearby import ROOM, near_pairs
 from berthing.guess.normals import exact_normals
-from berthing.guess.search import EFFORTS, Search
+from berthing.guess.search import EFFORTS, Effort, Search
 from berthing.refine.begin_with import beginning
 from berthing.refine.refiner import BACKOFF_M
 from berthing.scenario.options import SolverOptions
@@ -47,23 +48,21 @@ class Wave:
         patient: whether IPOPT solves it, who gives up later than our own method, and neighbouring
             nodes share planes, so that no answer steps through a wall between them.
         routed: whether its guesses are routes alone.
-        crowds: for scenes with many pairs near: planes are held, and convex steps taken.
+        steps: whether planes are held and convex steps taken; in crowded scenes alone, or in the
+            others alone.
     """
 
     suffix: str = ""
     patient: bool = True
     routed: bool = False
-    crowds: bool = False
+    steps: Literal["crowded", "other"] | None = None
 
 
 WAVES = (
-    Wave(patient=False, crowds=True), Wave(patient=False), Wave(routed=True), Wave(", again"),
+    Wave(patient=False, steps="crowded"), Wave(patient=False),
+    Wave(", in steps", patient=False, steps="other"), Wave(routed=True), Wave(", again"),
 )  # fmt: skip
 """Each is for what those before it find no certified plan for."""
-
-CROWD = 6
-"""Pairs near some guess, up to which planes are variables from the start: answers are then exact
-in as little time."""
 
 PATIENT_ANSWERS = 2
 """Enough of a patient wave, in which each takes many times as long."""
@@ -105,11 +104,11 @@ class Coarse:
     def first(self, wave: Wave) -> Round | None:
         """With rows for all that the first answers come near; None where the wave has nothing new
         for this form, which is IPOPT's from the start."""
-        if (wave.routed or wave.crowds) and self.options.guess != DEFAULT:
+        if (wave.routed or wave.steps) and self.options.guess != DEFAULT:
             return None
-        if wave.crowds:
-            crowded = len(self.scenario.pairs(self.phase)) > CROWD
-            return self._stepped(wave, self._guessed(wave)) if crowded else None
+        if wave.steps:
+            few = len(self.scenario.pairs(self.phase)) <= self._effort.exact
+            return None if few and wave.steps == "crowded" else self._stepped(wave)
         guessed = self._guessed(wave)
         also: set[int] = set()
         slow = False
@@ -127,14 +126,20 @@ class Coarse:
             found.search.pool.close()
             also, slow = known | near, slow or fast
 
-    def _stepped(self, wave: Wave, guessed: FirstMotions) -> Round | None:
+    @property
+    def _effort(self) -> Effort:
+        return EFFORTS[self.options.effort]
+
+    def _stepped(self, wave: Wave) -> Round | None:
         """The coarse problem without separation rows, where convex steps are for it."""
         scenario, phase, pairs = self.scenario, self.phase, self.scenario.pairs(self.phase)
         first = beginning(self.options.formulation, pairs)
         length_m = phase_scale(scenario, phase).length_m
+        guessed = self._guessed(wave)
         motions = [motion for _, motion in guessed]
         near = near_pairs(scenario, pairs, self.mesh, motions, ROOM * length_m)
-        if len(near) <= CROWD or first.formulation != "plane":
+        crowded = len(near) > self._effort.exact
+        if crowded != (wave.steps == "crowded") or not near or first.formulation != "plane":
             return None
         problem = build(scenario, phase, self.mesh, [], first.formulation)
         if not takes_steps(problem):
@@ -142,9 +147,9 @@ class Coarse:
         normals = exact_normals(pairs)
         starts = [Start(motion, normals) for motion in motions]
         search = Search(
-            [name for name, _ in guessed],
+            [f"{name}{wave.suffix}" for name, _ in guessed],
             SolvePool(ConvexSteps(problem, self._budget(wave)), scenario, starts, BACKOFF_M),
-            EFFORTS[self.options.effort], phase, length_m,
+            self._effort, phase, length_m,
             lambda name, outcome: self.note(name, problem, outcome), self.deadline,
         )  # fmt: skip
         _begin(search)
@@ -163,7 +168,7 @@ class Coarse:
             self.note, first.shapes_of,
         )  # fmt: skip
         guess = ROUTES if wave.routed else self.options.guess
-        drawn = EFFORTS[self.options.effort].drawn
+        drawn = self._effort.drawn
         return first_motions(guess, whole, self.options.seed, drawn)
 
     def _budget(self, wave: Wave) -> Budget:
@@ -179,7 +184,7 @@ class Coarse:
         """
         scenario, mesh = self.scenario, self.mesh
         phase = resolved(scenario, self.phase, mesh) if slow else self.phase
-        effort, pairs = EFFORTS[self.options.effort], scenario.pairs(phase)
+        effort, pairs = self._effort, scenario.pairs(phase)
         if wave.patient and effort.answers < float("inf"):
             effort = replace(effort, answers=min(effort.answers, PATIENT_ANSWERS))
         first = beginning(self.options.formulation, pairs)

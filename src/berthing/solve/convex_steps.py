@@ -63,8 +63,10 @@ ROOM_M = 0.02
 TILTED_M = 0.15
 """Pairs that keep more than this beyond their margin are held by planes that do not tilt."""
 
-TILT = 0.25
-"""Of normals that find further support points, at most, rad."""
+LEAST_TILT, TILT, TURNS = 0.02, 0.25, 2.0
+"""Of normals that find further support points, rad: so many times the trust region of quaternions,
+which is half the angle. At the least of it faces are found that nearly lie along each other: a body
+that a step turns a little comes to touch with another corner, which had no row."""
 
 SETTLED = 1e-2
 """A promised gain, as a share of the objective, that is not worth another step."""
@@ -219,7 +221,7 @@ class _Run:
         return SHRINK * region
 
     def _step(self, at: _Point, region: float | None, seconds: float) -> Step | None:
-        tilt = TILT if region is None else min(TILT, region)
+        tilt = TILT if region is None else float(np.clip(TURNS * region, LEAST_TILT, TILT))
         tilted_m = min(0.5 * at.around.reach_m, TILTED_M)
         held = held_rows(self.solver.samples, at.around, tilt, tilted_m)
         linearised = self._linearise(at)
@@ -243,7 +245,10 @@ class _Run:
         if gain >= ACCEPT * promised:
             return new, min(GROW * region, LARGEST) if gain >= GOOD * promised else region
         near = self.planes.around(at.around.motion, reach_m)
-        return replace(at, around=near), SHRINK * region
+        trusted = np.concatenate([self.positions, self.turns])
+        return replace(at, around=near), SHRINK * min(
+            region, float(np.max(np.abs(step.change[trusted])))
+        )
 
     def _point(self, x: Array, reach_m: float) -> _Point:
         f, g = self.solver.evaluation.value(x)
