@@ -116,10 +116,13 @@ class Pose:
 def _trusted(position: Array, rotation: Array) -> Pose:
     """A pose made of sound poses: no second check, and results that broadcast are spread out."""
     pose = object.__new__(Pose)
-    batch = np.broadcast_shapes(position.shape[:-1], rotation.shape[:-2])
-    dim = position.shape[-1]
-    object.__setattr__(pose, "position", np.broadcast_to(position, (*batch, dim)))
-    object.__setattr__(pose, "rotation", np.broadcast_to(rotation, (*batch, dim, dim)))
+    if position.shape[:-1] != rotation.shape[:-2]:
+        batch = np.broadcast_shapes(position.shape[:-1], rotation.shape[:-2])
+        dim = position.shape[-1]
+        position = np.broadcast_to(position, (*batch, dim))
+        rotation = np.broadcast_to(rotation, (*batch, dim, dim))
+    object.__setattr__(pose, "position", position)
+    object.__setattr__(pose, "rotation", rotation)
     return pose
 
 

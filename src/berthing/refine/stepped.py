@@ -36,6 +36,9 @@ LATER, DEPTHS, CALM = 0.005, 4.0, 5e-4
 """In those after it so many times the deepest dip, but at most and at least this much: what else
 moves dips elsewhere."""
 
+MEND_M = 2e-3
+"""Dips that are not deeper than this are mended, and nothing else is changed."""
+
 SETTLED = 3e-3
 """Promised gain, as a share of the objective, at which steps end."""
 
@@ -71,14 +74,14 @@ def stepped(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Ref
     mesh = graded(coarse.mesh, refiner.phase, guessed, refiner.mesh.segments)
     motion = resample(motion, refiner.phase, coarse.mesh, mesh)
     problem, fractions = _problem(refiner, mesh), spread_evenly(mesh, BETWEEN)
-    length_m, region = problem.layout.scale.length_m, REGION
+    length_m, region, mends = problem.layout.scale.length_m, REGION, False
     spacing = SPACING / len(fractions)
     dips = [t for _, t in dips_of(refiner.sample(problem, motion, NEAR_M), 0.0)]
     fractions = _denser(fractions, _fractions(problem, motion, dips), spacing)
     for round_ in range(ROUNDS):
         left = max(refiner.deadline - time.monotonic(), 0.1)
         budget = Budget(STEPS, left)
-        solver = ConvexSteps(problem, budget, fractions, region, SETTLED, LEFT * BACKOFF_M)
+        solver = ConvexSteps(problem, budget, fractions, region, SETTLED, LEFT * BACKOFF_M, mends)
         start = Start(motion, exact_normals(problem.pairs))
         outcome = solver.solve(refiner.scenario, start, backoff_m=BACKOFF_M)
         label = f"{name}, round {round_ + 1}"
@@ -92,6 +95,7 @@ def stepped(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Ref
         refiner.report(label, outcome.iterations, -sampled.worst_m)
         dips = [t for _, t in dips_of(sampled, ALLOWED * BACKOFF_M)]
         region = float(np.clip(DEPTHS * sampled.worst_m / length_m, CALM, LATER))
+        mends = outcome.solved and sampled.worst_m < MEND_M
         if not dips:
             result.answer = Answer(problem, outcome)
             refiner.verify(result, Step(problem, outcome, sampled))

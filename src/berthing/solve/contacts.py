@@ -32,6 +32,10 @@ class Side:
     normal: Array
     point: Array
 
+    def at(self, which: Index) -> Side:
+        """The set at some of the instants."""
+        return Side(self.shape, self.normal[which], self.point[which])
+
 
 @dataclass(frozen=True)
 class Contacts:
@@ -55,30 +59,31 @@ def contacts(a: Side, b: Side, tilt: float, tilted: Flags) -> Contacts:
         tilt: of the normals, at most, rad.
         tilted: (m,) where they are asked for.
     """
-    whole = np.arange(len(tilted))
+    whole, leaning = np.arange(len(tilted)), np.flatnonzero(tilted)
     none = whole[:0], a.point[:0]
-    if not np.any(tilted) or tilt <= 0.0:
+    if not len(leaning) or tilt <= 0.0:
         return Contacts((whole, a.point, b.point), none, none)
-    of_a, of_b = _touching(a, tilt), _touching(b, tilt)
+    of_a, of_b = _touching(a.at(leaning), tilt), _touching(b.at(leaning), tilt)
     several_a, several_b = (np.sum([new for new, _ in side], axis=0) > 1 for side in (of_a, of_b))
-    single = ~tilted | ~(several_a | several_b)
-    both = tilted & several_a & several_b
+    either, both = several_a ^ several_b, several_a & several_b
+    single = np.ones(len(whole), dtype=bool)
+    single[leaning[several_a | several_b]] = False
     pairs = [(whole[single], a.point[single], b.point[single])]
-    if not np.all(single | both):
+    if np.any(either):
         for new_a, va in of_a:
             for new_b, vb in of_b:
-                which = np.flatnonzero(new_a & new_b & ~single & ~both)
-                pairs.append((which, va[which], vb[which]))
+                which = np.flatnonzero(new_a & new_b & either)
+                pairs.append((leaning[which], va[which], vb[which]))
     which, va, vb = (np.concatenate(each) for each in zip(*pairs, strict=True))
     if not np.any(both):
         return Contacts((which, va, vb), none, none)
-    return Contacts((which, va, vb), _where(both, of_a), _where(both, of_b))
+    return Contacts((which, va, vb), _where(both, of_a, leaning), _where(both, of_b, leaning))
 
 
-def _where(both: Flags, side: list[tuple[Flags, Array]]) -> tuple[Index, Array]:
+def _where(both: Flags, side: list[tuple[Flags, Array]], leaning: Index) -> tuple[Index, Array]:
     which = [np.flatnonzero(new & both) for new, _ in side]
     points = [v[at] for at, (_, v) in zip(which, side, strict=True)]
-    return np.concatenate(which), np.concatenate(points)
+    return leaning[np.concatenate(which)], np.concatenate(points)
 
 
 def _touching(side: Side, tilt: float) -> list[tuple[Flags, Array]]:

@@ -112,6 +112,8 @@ class ConvexSteps:
         region: trust region of the first step; positions are free in it where None.
         settled: promised gain, as a share of the objective, at which steps end.
         met_m: overlap that an answer may have left.
+        mends: whether steps only take away overlaps, by the least change of states, whatever that
+            costs: a step that gains moves other things closer.
     """
 
     problem: Problem
@@ -120,6 +122,7 @@ class ConvexSteps:
     region: float | None = None
     settled: float = SETTLED
     met_m: float = MET_M
+    mends: bool = False
 
     def solve(self, scenario: Scenario, start: Start, *, backoff_m: float) -> Outcome:
         """Step from ``start`` until nothing is gained."""
@@ -174,6 +177,9 @@ class _Run:
         solver.evaluation.at(self.parameters)
         self.first = start.vector(problem, scenario)
         self.positions, self.turns = self._places()
+        self.weight = np.ones(len(self.first))
+        for own in layout.vehicles.values():
+            self.weight[own.control.indices.ravel()] = CHEAP
         self.arm_m = max(own.vehicle.body.bounding_radius for own in layout.vehicles.values())
         self.multipliers = np.zeros(len(self.lower))
 
@@ -208,6 +214,8 @@ class _Run:
 
     def _slow(self, before: _Point, at: _Point, step: Step) -> bool:
         """Whether the step promised, or brought, no more than is worth another one."""
+        if self.solver.mends:
+            return True
         enough = self.solver.settled * abs(at.f)
         brought = abs(at.f - before.f) if at.x is not before.x else np.inf
         return min(abs(step.descent), brought) <= enough
@@ -252,6 +260,7 @@ class _Run:
 
     def _point(self, x: Array, reach_m: float) -> _Point:
         f, g = self.solver.evaluation.value(x)
+        f = 0.0 if self.solver.mends else f
         motion = self.problem.motion(x, self.duration_s)
         return _Point(x, f, g, self.planes.around(motion, reach_m))
 
@@ -260,9 +269,12 @@ class _Run:
         gradient, jacobian, hessian = evaluation.derivatives(at.x, np.zeros(len(self.lower)))
         # The diagonal is all of it where the horizon is fixed, for controls cost their squares.
         curvature = np.zeros(len(at.x))
-        rows, columns = (np.asarray(v) for v in evaluation.hessian.get_triplet())
-        own = rows == columns
-        curvature[rows[own]] = np.maximum(hessian[own], 0.0)
+        if self.solver.mends:
+            gradient, curvature = np.zeros(len(at.x)), self.weight
+        else:
+            rows, columns = (np.asarray(v) for v in evaluation.hessian.get_triplet())
+            own = rows == columns
+            curvature[rows[own]] = np.maximum(hessian[own], 0.0)
         pattern = tuple(np.asarray(v) for v in evaluation.jacobian.get_triplet())
         J = sparse.csr_matrix((jacobian, pattern), (len(self.lower), len(at.x)))
         return Linearised(gradient, curvature + CURVED, J, self.lower - at.g, self.upper - at.g)
@@ -274,10 +286,7 @@ class _Run:
         short = np.where(self.equal, self.lower - g, 0.0)
         _, jacobian, hessian = evaluation.derivatives(x, np.zeros(len(g)))
         matrix.fill(0.0 * hessian, jacobian)
-        weight = np.ones(len(x))
-        for own in self.problem.layout.vehicles.values():
-            weight[own.control.indices.ravel()] = CHEAP
-        if matrix.factorise(weight, np.where(self.equal, HELD, FREE)):
+        if matrix.factorise(self.weight, np.where(self.equal, HELD, FREE)):
             for _ in range(BACK):
                 error = float(np.max(np.abs(short)))
                 if error <= CLOSE:

@@ -17,7 +17,9 @@ import numpy as np
 from berthing.clearance.placed_distance import of_sets
 from berthing.geometry.arrays import Array
 from berthing.geometry.pose import Pose
+from berthing.scenario.motion import Fixed
 from berthing.scenario.scenario import Scenario
+from berthing.scenario.structure import Structure
 from berthing.solve.samples import Placed, Samples
 from berthing.transcription.elements import Index
 from berthing.transcription.problem import Motion
@@ -87,44 +89,53 @@ class HeldPlanes:
                  for p in self._pairs]  # fmt: skip
         self._radii = np.sum(np.array(radii).reshape(-1, 2), axis=1)
         self._margins: tuple[Array, Array] | None = None
+        sides = [((p.ref_a, p.owner_a, p.part_a), (p.ref_b, p.owner_b, p.part_b))
+                 for p in self._pairs]  # fmt: skip
+        self._named = [side for both in sides for side in both]
+        self._still: dict[str, Pose] = {}
 
     def around(self, motion: Motion, reach_m: float) -> Around:
         """What comes within ``reach_m`` beyond its margin on ``motion``."""
         placed = self.samples.place(self.scenario, motion)
         margins = self._margins_at(self.samples.times(motion))
-        balls = self._centre_distances(placed) - self._radii[:, None] - margins
+        parts = self._parts(placed)
+        balls = self._centre_distances(parts) - self._radii[:, None] - margins
         found = []
         for p in np.flatnonzero(np.any(balls < reach_m, axis=1)):
             at = np.flatnonzero(balls[p] < reach_m)
             pair = self._pairs[p]
-            a, b = (
-                placed.poses[owner.name][at].compose(part.placement)
-                for owner, part in ((pair.owner_a, pair.part_a), (pair.owner_b, pair.part_b))
-            )
+            a, b = parts[pair.ref_a][at], parts[pair.ref_b][at]
             known = of_sets(pair.part_a.shape, a, pair.part_b.shape, b)
             short = margins[p, at] - known.distance
             near = np.flatnonzero(short > -reach_m)
-            if len(near):
-                a, b, known = a[near], b[near], known[near]
-                found.append(
-                    Near(
-                        int(p), at[near], short[near], margins[p, at[near]], known.normal, a, b,
-                        a.inverse().apply(known.point_a), b.inverse().apply(known.point_b),
-                    )
+            if not len(near):
+                continue
+            if len(near) < len(at):
+                at, short, a, b, known = at[near], short[near], a[near], b[near], known[near]
+            found.append(
+                Near(
+                    int(p), at, short, margins[p, at], known.normal, a, b,
+                    a.unrotate(known.point_a - a.position), b.unrotate(known.point_b - b.position),
                 )
+            )  # fmt: skip
         return Around(motion, placed, tuple(found), reach_m)
 
-    def _centre_distances(self, placed: Placed) -> Array:
+    def _parts(self, placed: Placed) -> dict[str, Pose]:
+        """Poses (k,) of all parts, by name."""
+        known = dict(self._still)
+        for ref, owner, part in self._named:
+            if ref not in known:
+                known[ref] = placed.poses[owner.name].compose(part.placement)
+                if isinstance(owner, Structure) and isinstance(owner.motion, Fixed):
+                    self._still[ref] = known[ref]
+        return known
+
+    def _centre_distances(self, parts: dict[str, Pose]) -> Array:
         """(pairs, k) of the balls' centres."""
-        known: dict[str, Array] = {}
-        out = np.empty((len(self._pairs), len(self.samples.fractions)))
-        for i, pair in enumerate(self._pairs):
-            for ref, owner, part in ((pair.ref_a, pair.owner_a, pair.part_a),
-                                     (pair.ref_b, pair.owner_b, pair.part_b)):  # fmt: skip
-                if ref not in known:
-                    known[ref] = placed.poses[owner.name].apply(part.placement.position)
-            out[i] = np.linalg.norm(known[pair.ref_b] - known[pair.ref_a], axis=-1)
-        return out
+        apart = np.array([parts[pair.ref_b].position - parts[pair.ref_a].position
+                          for pair in self._pairs])  # fmt: skip
+        shape = len(self._pairs), len(self.samples.fractions)
+        return np.asarray(np.linalg.norm(apart.reshape(*shape, -1), axis=-1))
 
     def _margins_at(self, times_s: Array) -> Array:
         """(pairs, k) with the back-off; -∞ where a pair may touch."""
