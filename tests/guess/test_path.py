@@ -55,6 +55,19 @@ def test_it_passes_through_its_waypoints() -> None:
     assert np.max(np.abs(motion.states["spacecraft"][:3])) <= 10.0 + 1e-12
 
 
+def test_where_times_are_given_it_is_there_then() -> None:
+    tau = np.linspace(0.0, 1.0, 30)
+    late = tau**3 * (4.0 - 3.0 * tau)
+    positions = late[:, None] * [10.0, 3.0, 0.0]
+    path = VehiclePath(positions, np.tile([1.0, 0.0, 0.0, 0.0], (len(tau), 1)), tau)
+    given = scenario(spacecraft())
+    motion = motion_along(Guess("test", {"spacecraft": path}), given.phases[0], MESH, DURATION_S)
+    x, at = motion.states["spacecraft"], MESH.point_fractions()
+    np.testing.assert_allclose(x[0], 10.0 * at**3 * (4.0 - 3.0 * at), atol=1e-3)
+    speed = 10.0 * 12.0 * at**2 * (1.0 - at) / DURATION_S
+    np.testing.assert_allclose(x[3], speed, atol=0.02 * np.max(speed))
+
+
 def test_velocities_and_rates_are_those_of_the_path() -> None:
     motion = along([0, 0, 0], [10, 3, 0], attitudes=[[1, 0, 0, 0], TURNED])
     problem = posed(scenario(spacecraft()), 12, 6, sites=[])

@@ -102,6 +102,25 @@ def test_a_seed_draws_other_routes_and_the_same_seed_none_again(
     assert routed(given, phase, 0, 1, np.inf)[0].paths["puck"] is first
 
 
+def test_of_two_slots_the_cheap_one_is_taken() -> None:
+    right = [
+        structure(name, [2.5, y], box(0.2, 1.0))
+        for name, y in (("middle", 0.0), ("upper", 2.0), ("lower", -2.0))
+    ]
+    rim = {"name": "rim", "shape": {"type": "sphere", "radius_m": 0.3}}
+    craft = {**puck(parts=[rim]), "goal": {"position_m": [6, 2]}}
+    given = scenario(craft, structures=[*ROOM[:3], *right])
+    (phase,) = given.phases
+    for seed in range(3):
+        (best,) = routed(given, phase, seed, 1, np.inf)
+        path = best.paths["puck"]
+        np.testing.assert_array_equal(path.fractions, np.linspace(0, 1, len(path.positions_m)))
+        crossing = path.positions_m[np.argmin(np.abs(path.positions_m[:, 0] - 2.5)), 1]
+        assert 0.8 < crossing < 1.2
+    several = routed(given, phase, 0, 2, np.inf)
+    assert [guess.name for guess in several] == ["route 1", "route 2"][: len(several)]
+
+
 def test_a_way_far_around_is_a_detour() -> None:
     def path(*y: float) -> Guess:
         r = np.stack([np.linspace(0.0, 6.0, len(y)), y], axis=1)

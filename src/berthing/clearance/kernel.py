@@ -55,6 +55,8 @@ def library() -> Any | None:
         ("scene_settle", flag, [pointer] * 3),
         ("scene_extend", count,
          [*([pointer] * 3), number, number, flag, pointer, count, pointer, pointer]),
+        ("scene_near", count,
+         [pointer, count, pointer, number, count, pointer, pointer, pointer]),
         ("scene_blocked", number, [*([pointer] * 3), number, number]),
     ):  # fmt: skip
         function = getattr(found, f"berthing_{name}")

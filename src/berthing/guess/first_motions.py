@@ -12,8 +12,8 @@ from berthing.guess.path import Guess, motion_along
 from berthing.guess.routed import routed
 from berthing.transcription.problem import Motion
 
-DRAWN_A_ROUTE = 2
-"""Random guesses to one route, where simple guesses are blocked."""
+MORE_ROUTES = 2
+"""Times as many routes where nothing else is tried."""
 
 DEFAULT, ROUTES = "default", "routes"
 
@@ -21,7 +21,7 @@ FirstMotions = list[tuple[str, Motion]]
 """Names and motions, in the order in which they are worth trying."""
 
 
-def _candidates(whole: Continuation, seed: int, drawn: int) -> FirstMotions:
+def _candidates(whole: Continuation, seed: int, drawn: int, routes: int) -> FirstMotions:
     guesses = candidates(whole.scenario, whole.phase, seed, drawn)
     simple = _along(whole, guesses)
     pairs = whole.scenario.pairs(whole.phase)
@@ -30,10 +30,7 @@ def _candidates(whole: Continuation, seed: int, drawn: int) -> FirstMotions:
         for guess, (_, motion) in zip(guesses, simple, strict=True)
     ):
         return simple
-    routes = routed(
-        whole.scenario, whole.phase, seed, max(drawn // DRAWN_A_ROUTE, 1), whole.budget.wall_time_s
-    )
-    return _along(whole, routes) + simple
+    return _routed(whole, seed, routes) + simple
 
 
 def _along(whole: Continuation, guesses: Iterable[Guess]) -> FirstMotions:
@@ -43,16 +40,20 @@ def _along(whole: Continuation, guesses: Iterable[Guess]) -> FirstMotions:
     ]
 
 
-def _routes(whole: Continuation, seed: int, drawn: int) -> FirstMotions:
+def _routed(whole: Continuation, seed: int, routes: int) -> FirstMotions:
     seconds = whole.budget.wall_time_s
-    return _along(whole, routed(whole.scenario, whole.phase, seed, drawn, seconds))
+    return _along(whole, routed(whole.scenario, whole.phase, seed, routes, seconds))
 
 
-def _continuation(whole: Continuation, seed: int, _: int) -> FirstMotions:
+def _routes(whole: Continuation, seed: int, _: int, routes: int) -> FirstMotions:
+    return _routed(whole, seed, MORE_ROUTES * routes)
+
+
+def _continuation(whole: Continuation, seed: int, *_: int) -> FirstMotions:
     return [("paper continuation", whole.motion(seed))]
 
 
-GUESSES: dict[str, Callable[[Continuation, int, int], FirstMotions]] = {
+GUESSES: dict[str, Callable[[Continuation, int, int, int], FirstMotions]] = {
     DEFAULT: _candidates,
     ROUTES: _routes,
     "paper-continuation": _continuation,
@@ -60,12 +61,13 @@ GUESSES: dict[str, Callable[[Continuation, int, int], FirstMotions]] = {
 
 
 def first_motions(
-    name: str, whole: Continuation, seed: int, drawn: int = RANDOM_GUESSES
+    name: str, whole: Continuation, seed: int, drawn: int = RANDOM_GUESSES, routes: int = 1
 ) -> FirstMotions:
     """The motions that the guess ``name`` gives, sub-problems solved where it has some.
 
     Args:
         drawn: random guesses, where there are any.
+        routes: guesses along routes, where there are any.
 
     Raises:
         InputError: no such guess.
@@ -75,4 +77,4 @@ def first_motions(
     except KeyError:
         known = ", ".join(sorted(GUESSES))
         raise InputError("guess", f"there is no {name!r}", f"one of {known}") from None
-    return make(whole, seed, drawn)
+    return make(whole, seed, drawn, routes)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
+from scipy.interpolate import CubicSpline, PchipInterpolator
 from scipy.spatial.transform import Rotation, Slerp
 
 from berthing.geometry.arrays import Array
@@ -27,10 +27,12 @@ class VehiclePath:
     Attributes:
         positions_m: inertial (m, d), m ≥ 2.
         q_IB: attitudes (m, 4), scalar first.
+        fractions: of the phase (m,), from 0 to 1, at which it is there; None for as the way takes.
     """
 
     positions_m: Array
     q_IB: Array
+    fractions: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -55,17 +57,28 @@ def motion_along(guess: Guess, phase: Phase, mesh: Mesh, duration_s: float) -> M
 
 
 def _states(vehicle: Vehicle, path: VehiclePath, fractions: Array, duration_s: float) -> Array:
-    knots = _knots(path, vehicle.body.bounding_radius)
-    position = PchipInterpolator(knots, path.positions_m, axis=0)
-    attitude = Slerp(knots, Rotation.from_quat(path.q_IB, scalar_first=True))
+    progress, position, attitude = _interpolants(path, vehicle.body.bounding_radius)
     before = np.clip(fractions - RATE_STEP, 0.0, 1.0)
     after = np.clip(fractions + RATE_STEP, 0.0, 1.0)
     step_s = (after - before)[:, None] * duration_s
-    velocity = (position(_progress(after)) - position(_progress(before))) / step_s
-    turn = attitude(_progress(before)).inv() * attitude(_progress(after))
-    s = _progress(fractions)
+    velocity = (position(progress(after)) - position(progress(before))) / step_s
+    turn = attitude(progress(before)).inv() * attitude(progress(after))
+    s = progress(fractions)
     q = _continuous(attitude(s).as_quat(scalar_first=True), path.q_IB[0])
     return vehicle.model.assemble(position(s), q, velocity, turn.as_rotvec() / step_s)
+
+
+def _interpolants(
+    path: VehiclePath, radius_m: float
+) -> tuple[Callable[[Array], Array], Callable[[Array], Array], Callable[[Array], Rotation]]:
+    """Progress by fractions of the phase, and by progress positions and attitudes."""
+    turns = Rotation.from_quat(path.q_IB, scalar_first=True)
+    if path.fractions is None:
+        knots = _knots(path, radius_m)
+        return _progress, PchipInterpolator(knots, path.positions_m, axis=0), Slerp(knots, turns)
+    knots = path.fractions
+    rest = CubicSpline(knots, path.positions_m, axis=0, bc_type="clamped")
+    return np.asarray, rest, Slerp(knots, turns)
 
 
 def _with_native(vehicle: Vehicle, x: Array, fractions: Array) -> Array:

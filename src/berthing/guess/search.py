@@ -38,6 +38,8 @@ class Effort:
         drawn: random guesses.
         exact: pairs near some guess, up to which planes are variables from the start: answers are
             then optimal to the last digit, where convex steps end within a percent, but sooner.
+        routes: guesses along routes, where simple guesses are blocked: the cheapest of four times
+            as many that are drawn.
     """
 
     agreeing: float
@@ -45,12 +47,13 @@ class Effort:
     worth: float
     drawn: int
     exact: int
+    routes: int
 
 
 EFFORTS = {
-    "fast": Effort(agreeing=1, answers=1, worth=0.0, drawn=2, exact=3),
-    "normal": Effort(agreeing=2, answers=4, worth=0.97, drawn=2, exact=6),
-    "thorough": Effort(agreeing=np.inf, answers=np.inf, worth=1.0, drawn=8, exact=6),
+    "fast": Effort(agreeing=1, answers=1, worth=0.0, drawn=2, exact=3, routes=1),
+    "normal": Effort(agreeing=2, answers=4, worth=0.97, drawn=2, exact=6, routes=2),
+    "thorough": Effort(agreeing=np.inf, answers=np.inf, worth=1.0, drawn=8, exact=6, routes=6),
 }
 
 

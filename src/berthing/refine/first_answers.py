@@ -168,16 +168,14 @@ class Coarse:
             self.note, first.shapes_of,
         )  # fmt: skip
         guess = ROUTES if wave.routed else self.options.guess
-        drawn = self._effort.drawn
-        return first_motions(guess, whole, self.options.seed, drawn)
+        own = self._effort
+        return first_motions(guess, whole, self.options.seed, own.drawn, own.routes)
 
     def _budget(self, wave: Wave) -> Budget:
         iterations = PATIENT_ITERATIONS if wave.patient else COARSE_ITERATIONS
         return Budget(iterations, max(min(self.deadline - time.monotonic(), 1e6), 0.0))
 
-    def _round(
-        self, wave: Wave, guessed: FirstMotions, also: set[int], slow: bool
-    ) -> Round | None:
+    def _round(self, wave: Wave, guessed: FirstMotions, also: set[int], slow: bool) -> Round | None:
         """The coarse problem and its guesses, ready to be solved.
 
         Its rows are for the pairs that a guess comes near, and for those of ``also``.

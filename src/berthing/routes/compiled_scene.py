@@ -18,6 +18,9 @@ from berthing.routes.slots import Slots
 from berthing.routes.space import Space
 from berthing.scenario.pair import Pair
 
+# Pairs near a state, for which there is room at first.
+NEAR = 16
+
 
 class CompiledScene:
     """Not for two threads at a time. ``of`` makes it where that can be.
@@ -93,6 +96,26 @@ class CompiledScene:
             how.ctypes.data, most, out.ctypes.data, ctypes.addressof(met),
         )  # fmt: skip
         return out[:count], bool(met.value)
+
+    def near(self, states: Array, reach_m: float) -> tuple[Index, Array, Array]:
+        """Of the pairs that keep less than ``reach_m`` beyond their margins at states (k, V, 7).
+
+        Returns:
+            The states (m,) in rising order, what is kept (m,), and its gradient (m, V, 6) by a
+            stride whose turns are times the arm.
+        """
+        states = np.ascontiguousarray(states)
+        most = NEAR * len(states)
+        while True:
+            where, slack = np.empty(most, dtype=ctypes.c_long), np.empty(most)
+            gradient = np.empty((most, states.shape[1], 6))
+            count = self._calls.berthing_scene_near(
+                self._handle, len(states), states.ctypes.data, reach_m, most,
+                where.ctypes.data, slack.ctypes.data, gradient.ctypes.data,
+            )  # fmt: skip
+            if count <= most:
+                return where[:count].astype(np.intp), slack[:count], gradient[:count]
+            most = count
 
     def blocked(self, a: Array, b: Array, step_m: float, pad_m: float) -> float | None:
         """A fraction of the leg from a to b (V, 7) that lacks limits, margins or pad."""

@@ -89,6 +89,17 @@ def between(x: Array, y: Array, fractions: Array) -> Array:
     return moved(start, fractions[:, None, None] * stride(x, y))
 
 
+def along(space: Space, path: Array, shares: Array) -> Array:
+    """States (k, V, 7) at shares (k,) of the length of a path (n + 1, V, 7)."""
+    way = stride(path[:-1], path[1:])
+    lengths = space.length(way)
+    ends = np.concatenate([[0.0], np.cumsum(lengths)])
+    where = shares * ends[-1]
+    leg = np.clip(np.searchsorted(ends, where, side="right") - 1, 0, len(lengths) - 1)
+    fraction = (where - ends[leg]) / np.where(lengths[leg] > 0.0, lengths[leg], 1.0)
+    return moved(path[leg], fraction[:, None, None] * way[leg])
+
+
 def state_of(pose: Pose) -> Array:
     """Rows (..., 7) of poses (...)."""
     rotation = np.zeros((*pose.batch_shape, 3, 3))

@@ -13,7 +13,7 @@ import numpy as np
 from berthing.clearance.signed_distance import Flags
 from berthing.geometry.arrays import Array
 from berthing.routes.checker import Checker
-from berthing.routes.space import moved, stride
+from berthing.routes.space import along, moved, stride
 
 # States along each route that rungs join, and samples along a rung.
 STATES, SAMPLES = 24, 16
@@ -21,7 +21,8 @@ STATES, SAMPLES = 24, 16
 
 def same_way(checker: Checker, one: Array, other: Array) -> bool:
     """Whether the routes (n + 1, V, 7) and (m + 1, V, 7), of the same ends, are one way."""
-    a, b = (_spread(checker, path) for path in (one, other))
+    shares = np.linspace(0.0, 1.0, STATES)
+    a, b = (along(checker.space, path, shares) for path in (one, other))
     return _joined(_rungs(checker, a, b))
 
 
@@ -45,14 +46,3 @@ def _joined(clear: Flags) -> bool:
             before = i == j == 0 or np.any(reached[max(i - 1, 0) : i + 1, max(j - 1, 0) : j + 1])
             reached[i, j] = clear[i, j] and before
     return bool(reached[-1, -1])
-
-
-def _spread(checker: Checker, path: Array) -> Array:
-    """States at equal strides along the path."""
-    way = stride(path[:-1], path[1:])
-    lengths = checker.space.length(way)
-    along = np.concatenate([[0.0], np.cumsum(lengths)])
-    where = np.linspace(0.0, along[-1], STATES)
-    leg = np.clip(np.searchsorted(along, where, side="right") - 1, 0, len(lengths) - 1)
-    fraction = (where - along[leg]) / np.where(lengths[leg] > 0.0, lengths[leg], 1.0)
-    return moved(path[leg], fraction[:, None, None] * way[leg])

@@ -120,6 +120,30 @@ long berthing_scene_extend(Scene *s, const double *from, const double *target, d
    room no more is gained by knowing of it. */
 static const double LEAST_GLANCE = 0.125, AMPLE = 8.0;
 
+/* At states (k, vehicles, STATE), the pairs that keep less than `reach` beyond what is required: the
+   state of each, how much it keeps, and how that grows by a stride, turns times the arm (vehicles,
+   STRIDE). Returns how many there are, of which `most` at most are written. */
+long berthing_scene_near(Scene *s, long k, const double *x, double reach, long most, long *state,
+                         double *slack, double *gradient)
+{
+    long count = 0;
+    for (long j = 0; j < k; j++, x += STATE * s->vehicles) {
+        put_slots(s, x);
+        for (long i = 0; i < s->links; i++) {
+            double upto = s->link[i].required + reach;
+            if (far_apart(&s->slot[s->link[i].a], &s->slot[s->link[i].b], upto)) continue;
+            double d = look(s, i, upto);
+            if (!(d < upto)) continue;
+            if (count++ >= most) continue;
+            *state++ = j;
+            *slack++ = d - s->link[i].required;
+            add_pushes(s, i, gradient);
+            gradient += STRIDE * s->vehicles;
+        }
+    }
+    return count;
+}
+
 /* How fast any point of a part moves on a leg, in the length of the leg. */
 static double fastest(const Scene *s, const double *way)
 {
