@@ -200,9 +200,10 @@ class _Run:
                     break
                 region *= SHRINK
             else:
-                before = at
+                before, tried = at, region
                 at, region = self._taken(at, step, region)
-                if self._slow(before, at, step):
+                grown = 1.0 if tried is None else max(region / tried, 1.0)
+                if self._slow(before, at, step, grown):
                     if at.around.worst_m <= self.solver.met_m:
                         break
                     region = self._nearer(step, region)
@@ -212,13 +213,14 @@ class _Run:
             status = SOLVED if at.around.worst_m <= self.solver.met_m else LOCALLY_INFEASIBLE
         return self._outcome(at, status, count)
 
-    def _slow(self, before: _Point, at: _Point, step: Step) -> bool:
-        """Whether the step promised, or brought, no more than is worth another one."""
+    def _slow(self, before: _Point, at: _Point, step: Step, grown: float) -> bool:
+        """Whether the step promised, or brought, no more than is worth another one, which goes
+        further by the factor ``grown``."""
         if self.solver.mends:
             return True
         enough = self.solver.settled * abs(at.f)
         brought = abs(at.f - before.f) if at.x is not before.x else np.inf
-        return min(abs(step.descent), brought) <= enough
+        return grown * min(abs(step.descent), brought) <= enough
 
     def _nearer(self, step: Step, region: float) -> float:
         """What takes away the overlap that is left: a higher price where the step left it on
