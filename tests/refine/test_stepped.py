@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from contextlib import closing
+from math import inf
+
 import pytest
 
 from berthing.guess.search import EFFORTS
@@ -36,7 +39,21 @@ def test_a_few_things_are_left_to_the_exact_form(monkeypatch) -> None:
     notes: list[str] = []
     mesh = Mesh.uniform("lgr", 3, 3)
     coarse = Coarse(
-        given, phase, mesh, given.solver, lambda name, *_: notes.append(name), float("inf")
+        given, phase, mesh, given.solver, lambda name, *_: notes.append(name), inf
     )
     assert coarse.first(Wave(patient=False, steps="crowded")) is None
     assert notes == []
+
+
+def test_where_the_exact_form_finds_nothing_steps_are_taken_for_a_few_things_too() -> None:
+    given = scenario(puck(), structures=FIELD[:1])
+    coarse = Coarse(
+        given, given.phases[0], Mesh.uniform("lgr", 3, 3), given.solver, lambda *_: None, inf
+    )
+    found = coarse.first(Wave(", in steps", patient=False, steps="other"))
+    assert found is not None
+    with closing(found.search.pool):
+        assert not found.problem.separation.sites
+        candidate = found.search.next_candidate(None, more=True)
+    assert candidate is not None
+    assert candidate[0].endswith(", in steps")

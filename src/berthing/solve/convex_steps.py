@@ -20,11 +20,9 @@ from berthing.geometry.arrays import Array
 from berthing.scenario.motion import Fixed
 from berthing.scenario.scenario import Scenario
 from berthing.solve.elastic_step import Linearised, Step, elastic_step
-from berthing.solve.evaluation import Evaluation
 from berthing.solve.held_planes import Around, HeldPlanes
 from berthing.solve.held_rows import held_rows
 from berthing.solve.ipopt import Budget, Start
-from berthing.solve.kkt_matrix import KktMatrix
 from berthing.solve.outcome import (
     ITERATION_LIMIT,
     LOCALLY_INFEASIBLE,
@@ -32,6 +30,7 @@ from berthing.solve.outcome import (
     TIME_LIMIT,
     Outcome,
 )
+from berthing.solve.restoration import Restoration
 from berthing.solve.samples import Samples, spread_evenly
 from berthing.transcription.elements import Index
 from berthing.transcription.problem import Problem
@@ -79,18 +78,8 @@ STEPS = 30
 CURVED = 1e-6
 """Least curvature: it holds what costs nothing."""
 
-CHEAP = 1e-3
-"""Weight of controls against states where a step is put back onto the equations: controls give
-way, and bodies stay where the step put them."""
-
 DEAR = 1.5
 """Price of an error of the equations, in the largest multiplier seen."""
-
-HELD, FREE = 1e-10, 1e12
-"""What rows give way by in such a correction: equations, and all others."""
-
-BACK, CLOSE = 3, 1e-10
-"""Corrections of a step at most, and the error of the equations that needs none."""
 
 
 @dataclass(frozen=True)
@@ -134,17 +123,13 @@ class ConvexSteps:
         return Samples(self.problem, even if self.fractions is None else self.fractions)
 
     @cached_property
-    def evaluation(self) -> Evaluation:
-        return Evaluation(self.problem.nlp, self.bounded.tolist())
-
-    @cached_property
     def bounded(self) -> Index:
         lower, upper = self.problem.layout.variables.bounds()
         return np.flatnonzero(np.isfinite(lower) | np.isfinite(upper))
 
     @cached_property
-    def correction(self) -> KktMatrix:
-        return KktMatrix(self.evaluation.hessian, self.evaluation.jacobian)
+    def restoration(self) -> Restoration:
+        return Restoration(self.problem, self.bounded)
 
 
 def takes_steps(problem: Problem) -> bool:
@@ -174,12 +159,10 @@ class _Run:
         self.equal = self.lower == self.upper
         self.duration_s = start.motion.duration_s
         self.parameters = problem.parameter_vector(scenario, backoff_m, self.duration_s)
-        solver.evaluation.at(self.parameters)
+        self.evaluation = solver.restoration.evaluation
+        self.evaluation.at(self.parameters)
         self.first = start.vector(problem, scenario)
         self.positions, self.turns = self._places()
-        self.weight = np.ones(len(self.first))
-        for own in layout.vehicles.values():
-            self.weight[own.control.indices.ravel()] = CHEAP
         self.arm_m = max(own.vehicle.body.bounding_radius for own in layout.vehicles.values())
         self.multipliers = np.zeros(len(self.lower))
 
@@ -246,7 +229,8 @@ class _Run:
         """Where the step leads, or ``at`` where it gains too little; and the next region."""
         moved_m = self._moved(step.change)
         reach_m = ROOM_M + min(moved_m, LOOK * self.length_m)
-        new = self._corrected(at.x + step.change, reach_m)
+        x = self.solver.restoration.restored(at.x + step.change, self.lower, self.equal)
+        new = self._point(x, reach_m)
         if region is None:
             # A guess obeys no equations: there is nothing to compare with.
             return new, FIRST
@@ -261,18 +245,18 @@ class _Run:
         )
 
     def _point(self, x: Array, reach_m: float) -> _Point:
-        f, g = self.solver.evaluation.value(x)
+        f, g = self.evaluation.value(x)
         f = 0.0 if self.solver.mends else f
         motion = self.problem.motion(x, self.duration_s)
         return _Point(x, f, g, self.planes.around(motion, reach_m))
 
     def _linearise(self, at: _Point) -> Linearised:
-        evaluation = self.solver.evaluation
+        evaluation = self.evaluation
         gradient, jacobian, hessian = evaluation.derivatives(at.x, np.zeros(len(self.lower)))
         # The diagonal is all of it where the horizon is fixed, for controls cost their squares.
         curvature = np.zeros(len(at.x))
         if self.solver.mends:
-            gradient, curvature = np.zeros(len(at.x)), self.weight
+            gradient, curvature = np.zeros(len(at.x)), self.solver.restoration.weight
         else:
             rows, columns = (np.asarray(v) for v in evaluation.hessian.get_triplet())
             own = rows == columns
@@ -280,26 +264,6 @@ class _Run:
         pattern = tuple(np.asarray(v) for v in evaluation.jacobian.get_triplet())
         J = sparse.csr_matrix((jacobian, pattern), (len(self.lower), len(at.x)))
         return Linearised(gradient, curvature + CURVED, J, self.lower - at.g, self.upper - at.g)
-
-    def _corrected(self, x: Array, reach_m: float) -> _Point:
-        """The point, put back onto the equations by what costs least where bodies are."""
-        evaluation, matrix = self.solver.evaluation, self.solver.correction
-        g = evaluation.value(x)[1]
-        short = np.where(self.equal, self.lower - g, 0.0)
-        _, jacobian, hessian = evaluation.derivatives(x, np.zeros(len(g)))
-        matrix.fill(0.0 * hessian, jacobian)
-        if matrix.factorise(self.weight, np.where(self.equal, HELD, FREE)):
-            for _ in range(BACK):
-                error = float(np.max(np.abs(short)))
-                if error <= CLOSE:
-                    break
-                nearer = x + matrix.solve(np.concatenate([np.zeros(len(x)), short]))[: len(x)]
-                g = evaluation.value(nearer)[1]
-                short = np.where(self.equal, self.lower - g, 0.0)
-                if not float(np.max(np.abs(short))) < error:
-                    break
-                x = nearer
-        return self._point(x, reach_m)
 
     def _merit(self, at: _Point) -> float:
         off = at.g - np.clip(at.g, self.lower, self.upper)
