@@ -37,8 +37,9 @@ LONGEST_S = 60.0
 SHORTCUTS = 40
 """Tried on a route that is a guess as it is."""
 
-TRIES = 4
-"""Searches for each route that is wanted: passages differ ten times in what they cost."""
+DETOURS = (0.3, 0.4, 1.2, 1.2, np.inf)
+"""Routes are drawn in turn with so long detours (as of a ``Region``), so many for each that is
+wanted: passages differ a hundred times in what they cost, and short ways are missed among all."""
 
 AGREE, DIFFER = 0.05, 0.02
 """Shares of the least energy: two routes so near to it end the search for one, and routes that
@@ -95,7 +96,7 @@ def _goes_any_way(model: Model) -> bool:
 
 
 def _draws(scenario: Scenario, phase: Phase, seed: int, count: int, limit_s: float) -> list[_Drawn]:
-    """Routes of several draws; none after one that is not found, for others would end alike."""
+    """Routes of several draws."""
     try:
         checker = Checker(scenario, phase)
         ends = ends_of(checker, np.random.default_rng(seed))
@@ -108,27 +109,32 @@ def _draws(scenario: Scenario, phase: Phase, seed: int, count: int, limit_s: flo
     seeker = Seeker(checker, *ends, SHORTCUTS if scene is None else 0)
     enough = STRAIGHT * straight_energy(*ends, weights, duration_s)
     found: list[_Drawn] = []
-    searches = 0
-    while searches < TRIES * count and len(found) < (TRIES * count if scene else count):
-        path, tried = _clear(seeker, seed, len(found), deadline)
-        searches += tried
-        if path is None:
+    for number in range(len(DETOURS) * count):
+        detour = DETOURS[number % len(DETOURS)]
+        if count == 1 and found and np.isinf(detour):
             break
-        relaxing = None
-        if scene is not None:
-            relaxing = Relaxing.of(checker.space, scene, path, weights, duration_s)
-        if relaxing is not None:
-            relaxing.follow(WEIGHTS[0])
-        found.append(_Drawn(path, relaxing))
-        if time.monotonic() > deadline or (count == 1 and _settled(found, enough)):
+        path = _clear(seeker, seed, number, deadline, detour)
+        if path is not None:
+            relaxing = None
+            if scene is not None:
+                relaxing = Relaxing.of(checker.space, scene, path, weights, duration_s)
+            if relaxing is not None:
+                relaxing.follow(WEIGHTS[0])
+            found.append(_Drawn(path, relaxing))
+        elif np.isinf(detour):
+            # The other searches would end alike.
+            break
+        # What is not relaxed is not told apart.
+        full = scene is None and len(found) == count
+        if full or time.monotonic() > deadline or (count == 1 and _settled(found, enough)):
             break
     return found
 
 
 def _settled(found: list[_Drawn], enough: float) -> bool:
     """Whether more draws are hardly worth it: one is cheap, or two agree on the least."""
-    energies = sorted(own.energy for own in found)
-    return energies[0] < enough or (len(energies) > 1 and energies[1] < (1.0 + AGREE) * energies[0])
+    energies = [*sorted(own.energy for own in found), np.inf, np.inf]
+    return energies[0] < enough or energies[1] < (1.0 + AGREE) * energies[0]
 
 
 def _cheapest(found: list[_Drawn], count: int) -> list[_Drawn]:
@@ -146,17 +152,14 @@ def _cheapest(found: list[_Drawn], count: int) -> list[_Drawn]:
     return taken
 
 
-def _clear(seeker: Seeker, seed: int, number: int, deadline: float) -> tuple[Array | None, int]:
-    """States (n + 1, V, 7) of a path that is clear at samples, for what follows it certifies
-    itself; and how many searches that took."""
-    tried = 0
-    for search in seeker.searches(seed, number, deadline):
-        tried += 1
+def _clear(seeker: Seeker, seed: int, number: int, deadline: float, detour: float) -> Array | None:
+    """States (n + 1, V, 7) of a path that is clear at samples: what follows it certifies itself."""
+    for search in seeker.searches(seed, number, deadline, detour):
         for path in search.paths:
             states = sampled(search.slides, path)
             if states is not None:
-                return states, tried
-    return None, tried
+                return states
+    return None
 
 
 def _inertia(vehicle: Vehicle) -> list[float]:

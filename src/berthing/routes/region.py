@@ -33,12 +33,15 @@ class Region:
         step_m: of the search.
         pads_m: to be kept beyond margins, the widest first.
         span_m: the diagonal.
+        detour: by which ways may be longer than the straight one, in lengths of that and reaches:
+            all are in an ellipsoid. Infinite where any may be taken.
     """
 
     lower_m: Array
     upper_m: Array
     step_m: float
     pads_m: tuple[float, ...]
+    detour: float = np.inf
 
     @property
     def span_m(self) -> float:

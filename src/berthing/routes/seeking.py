@@ -23,6 +23,9 @@ LADDER = (
     (0, 0.25, 400), (0, 1.0, 4000), (1, 0.5, 4000), (2, 0.25, 4000),
 )  # fmt: skip
 
+# Where the detour is limited: passages near the straight way are found soon, or there are none.
+SHORT_LADDER = ((0, 1.0, 60),)
+
 
 @dataclass(frozen=True)
 class Found:
@@ -60,16 +63,20 @@ class Seeker:
     def pads_m(self) -> tuple[float, ...]:
         return self._region.pads_m
 
-    def searches(self, seed: int, number: int, deadline: float) -> Iterator[Found]:
+    def searches(
+        self, seed: int, number: int, deadline: float, detour: float = np.inf
+    ) -> Iterator[Found]:
         """Each is made when it is asked for, until time is up.
 
         Args:
             number: of the route that is looked for; others of the same seed are drawn otherwise.
             deadline: on the monotonic clock.
+            detour: that is allowed, as of a ``Region``; what is soon found where there is one.
         """
-        for rung, (pad, share, rounds) in enumerate(LADDER):
+        ladder = LADDER if np.isinf(detour) else SHORT_LADDER
+        for rung, (pad, share, rounds) in enumerate(ladder):
             rng = np.random.default_rng([seed, number, rung])
-            region = replace(self._region, step_m=share * self._region.step_m)
+            region = replace(self._region, step_m=share * self._region.step_m, detour=detour)
             yield self._search(region.pads_m[pad], region, rounds, rng, deadline)
             if time.monotonic() > deadline:
                 break

@@ -85,6 +85,7 @@ class Trees:
         Every state but the two ends keeps the pad; what lies between them is not looked at.
         """
         one, other = Tree(start, self._space.arm_m), Tree(goal, self._space.arm_m)
+        self._ends = start, goal
         for number in range(rounds):
             if time.monotonic() > self._deadline:
                 return None
@@ -101,7 +102,26 @@ class Trees:
         return None
 
     def _drawn(self) -> Array:
-        return self._space.sample(self._rng, self._region.lower_m, self._region.upper_m)
+        state = self._space.sample(self._rng, self._region.lower_m, self._region.upper_m)
+        if np.isfinite(self._region.detour):
+            self._gather(state)
+        return state
+
+    def _gather(self, state: Array) -> None:
+        """Into the ellipsoid about each vehicle's ends that ways of no more length are in."""
+        start, goal = self._ends
+        for i, row in enumerate(state):
+            way = goal[i, :3] - start[i, :3]
+            half = 0.5 * float(np.linalg.norm(way))
+            long = half + self._region.detour * (half + self._space.arm_m[i])
+            point = self._rng.normal(size=3)
+            point *= self._rng.random() ** (1.0 / 3.0) / np.linalg.norm(point)
+            along = way / (2.0 * half) if half > 0.0 else np.zeros(3)
+            wide = np.sqrt(long**2 - half**2)
+            point = wide * point + (long - wide) * (along @ point) * along
+            free = self._space.free[i, :3]
+            row[:3] = np.where(free, 0.5 * (start[i, :3] + goal[i, :3]) + point, row[:3])
+        state[:, :3] = np.clip(state[:, :3], self._space.lower_m, self._space.upper_m)
 
     def _extend(self, tree: Tree, i: int, target: Array, *, whole: bool) -> tuple[int, bool]:
         """Step towards the target, as far as it goes; the last state, and whether it was met."""

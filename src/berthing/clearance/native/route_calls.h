@@ -118,7 +118,7 @@ long berthing_scene_extend(Scene *s, const double *from, const double *target, d
 
 /* Glances at a leg before it is looked at from end to end: at eighths. And beyond how many steps of
    room no more is gained by knowing of it. */
-static const double LEAST_GLANCE = 0.125, AMPLE = 8.0;
+static const double LEAST_GLANCE = 0.125, AMPLE = 3.0;
 
 /* At states (k, vehicles, STATE), the pairs that keep less than `reach` beyond what is required: the
    state of each, how much it keeps, and how that grows by a stride, turns times the arm (vehicles,
