@@ -9,6 +9,8 @@ PYTEST_ARGS ?= -n auto
 # As the command line does: threads of BLAS take cores from other tests.
 export OPENBLAS_NUM_THREADS ?= 1
 export OMP_NUM_THREADS ?= 1
+# Each of the tests' processes would compile all modules anew, and each suite rewrite all tests.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: help plan test test-slow test-browser lint lock viewer viewer-check docs lock-docs clean
 help:

@@ -15,10 +15,11 @@ from berthing.geometry.ellipsoid import Ellipsoid
 from berthing.geometry.sphere import Sphere
 from berthing.scenario.attitude import AxisAttitude, FixedAttitude, FreeAttitude
 from berthing.scenario.files import from_document, json_schema, load
-from berthing.scenario.library import library
+from berthing.scenario.library import case_path, library
 from berthing.scenario.motion import ConstantSpin, ConstantVelocity, Fixed
 from berthing.scenario.normal import document_sha256
 from berthing.scenario.point_mass import PointMass
+from berthing.scenario.reading import read
 from berthing.scenario.rigid_body import RigidBody
 from berthing.scenario.scenario import Scenario
 from berthing.scenario.tabulated import Tabulated
@@ -284,3 +285,14 @@ def test_every_case_of_the_library_loads_under_its_name() -> None:
         assert scenario.description.startswith(headline)
         assert 20 < len(headline) < 100
         assert from_document(scenario.document).document == scenario.document
+
+
+def test_a_document_that_is_changed_is_read_again_as_it_was() -> None:
+    path = case_path("scenario-b")
+    assert path is not None
+    first = read(path).raw
+    first["horizon"].clear()
+    first["name"] = "spoilt"
+    again = read(path).raw
+    assert again["name"] == "scenario-b"
+    assert again["horizon"]

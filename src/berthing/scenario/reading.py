@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from copy import deepcopy
+from functools import lru_cache
 from io import StringIO
 from pathlib import Path as FilePath
 from typing import Any
@@ -14,6 +16,9 @@ from ruamel.yaml.nodes import MappingNode, Node, SequenceNode
 
 from berthing.errors import InputError
 from berthing.scenario.source import Path, Source, no_lines
+
+# Documents not parsed again while their text stays the same: more than the cases that ship.
+KEPT = 64
 
 
 class _PlainConstructor(SafeConstructor):
@@ -45,7 +50,7 @@ def read(path: FilePath, name: str | None = None) -> Source:
 
 def _parse_yaml(text: str, name: str) -> Source:
     try:
-        raw = _yaml().load(text)
+        raw = deepcopy(_loaded(text))
     except MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         where = f"{name}:{mark.line + 1}" if mark else name
@@ -56,6 +61,12 @@ def _parse_yaml(text: str, name: str) -> Source:
         problem = " ".join(str(error).split())
         raise InputError(name, f"is not well-formed YAML: {problem}") from None
     return Source(name, raw, lambda path: _line(text, path))
+
+
+@lru_cache(maxsize=KEPT)
+def _loaded(text: str) -> Any:
+    """To be copied before it is changed."""
+    return _yaml().load(text)
 
 
 def _parse_json(text: str, name: str) -> Source:
