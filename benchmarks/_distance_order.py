@@ -90,9 +90,9 @@ def upper_bounds_wrong(
     wrong[deep] = False
     if isinstance(a, HalfSpace) or isinstance(b, HalfSpace):
         return np.asarray(wrong)
-    for n in sphere_samples(DIRECTIONS, a.dim):
-        bound = plane_bound(a, pose_a[deep], b, pose_b[deep], np.tile(n, (len(deep), 1)))
-        wrong[deep] |= bound > found.upper_bound[deep] + slack
+    n = np.repeat(sphere_samples(DIRECTIONS, a.dim)[:, None], len(deep), axis=1)
+    bound = plane_bound(a, pose_a[deep], b, pose_b[deep], n)
+    wrong[deep] = np.any(bound > found.upper_bound[deep] + slack, axis=0)
     return np.asarray(wrong)
 
 

@@ -43,29 +43,28 @@ def differences(
 ) -> tuple[Array, Array]:
     """Gradients by the pose of A and of B (k, 12) or (k, 6), by central differences, and where the
     one-sided slopes differ (k,): kinks, where the gradient is but one of many."""
-    count = 6 if a.dim == 3 else 3
-    columns, kinks = [], []
     at = distance(a, b, (pose_a, pose_b)).distance
-    for i in range(2 * count):
-        near = []
-        for times in (-2.0, -1.0, 1.0, 2.0):
-            first = moved(pose_a, i, times * step) if i < count else pose_a
-            second = moved(pose_b, i - count, times * step) if i >= count else pose_b
-            near.append(distance(a, b, (first, second)).distance)
-        columns.append((8.0 * (near[2] - near[1]) - (near[3] - near[0])) / (12.0 * step))
-        before = 2.0 * (at - near[1]) - 0.5 * (at - near[0])
-        after = 2.0 * (near[2] - at) - 0.5 * (near[3] - at)
-        kinks.append(np.abs(after - before) / step)
-    return np.stack(columns, axis=-1), np.max(kinks, axis=0)
+    by_a = distance(a, b, (moved(pose_a, step), pose_b)).distance
+    by_b = distance(a, b, (pose_a, moved(pose_b, step))).distance
+    far_below, below, above, far_above = np.moveaxis(np.concatenate([by_a, by_b]), 1, 0)
+    slopes = (8.0 * (above - below) - (far_above - far_below)) / (12.0 * step)
+    before = 2.0 * (at - below) - 0.5 * (at - far_below)
+    after = 2.0 * (above - at) - 0.5 * (far_above - at)
+    return slopes.T, np.max(np.abs(after - before) / step, axis=0)
 
 
-def moved(pose: Pose, i: int, by: float) -> Pose:
-    """Along the world's axis i, or about one through the pose's own origin."""
-    d = pose.dim
-    if i < d:
-        return Pose(pose.position + by * np.eye(d)[i], pose.rotation)
+def moved(pose: Pose, step: float) -> Pose:
+    """(6 or 3, 4, k): along each of the world's axes and about each one through the pose's own
+    origin, by -2, -1, 1 and 2 steps."""
+    d, by = pose.dim, step * np.array([-2.0, -1.0, 1.0, 2.0])
+    still = np.broadcast_to(np.eye(d), (d, 4, d, d))
     if d == 2:
-        turn = Pose.planar(np.zeros(2), by).rotation
+        turns = Pose.planar(np.zeros((4, 2)), by).rotation[None]
     else:
-        turn = quaternion.rotation_matrix(quaternion.from_axis_angle(np.eye(3)[i - 3], by))
-    return Pose(pose.position, turn @ pose.rotation)
+        about = np.repeat(np.eye(3)[:, None], 4, axis=1)
+        turns = quaternion.rotation_matrix(quaternion.from_axis_angle(about, by))
+    shifts = np.concatenate([by[:, None] * np.eye(d)[:, None], np.zeros((len(turns), 4, d))])
+    return Pose(
+        pose.position + shifts[:, :, None],
+        np.concatenate([still, turns])[:, :, None] @ pose.rotation,
+    )
