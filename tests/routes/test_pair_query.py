@@ -42,6 +42,9 @@ def test_without_a_compiler_answers_are_the_same(monkeypatch, a, b, dim):
     slow = query(*own, *other)
     for columns in (DISTANCE, BY_A, BY_B):
         assert np.allclose(slow[:, columns], quick[:, columns], atol=AGREES)
+    still = query(*own, other[0][:1], other[1][:1])
+    assert np.array_equal(still[0], slow[0])
+    assert not np.allclose(still[1], slow[1])
 
 
 def test_frames_may_stand_still_or_lie_apart_in_memory():

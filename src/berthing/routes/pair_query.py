@@ -58,8 +58,8 @@ class FramesQuery:
     ) -> Array:
         d = self._a.dim
         found = queried_distance(
-            self._a, Pose.sound(place_a[:, :d], turn_a[:, :d, :d]),
-            self._b, Pose.sound(place_b[:, :d], turn_b[:, :d, :d]),
+            self._a, _spread(turn_a, place_a, len(rows), d),
+            self._b, _spread(turn_b, place_b, len(rows), d),
         )  # fmt: skip
         rows[:] = 0.0
         rows[:, DISTANCE] = found.distance
@@ -67,6 +67,12 @@ class FramesQuery:
         for columns, gradient in ((BY_A, found.gradient_a), (BY_B, found.gradient_b)):
             rows[:, columns][:, axes] = gradient
         return rows
+
+
+def _spread(turn: Array, place: Array, count: int, d: int) -> Pose:
+    """So many poses, of as many or of one."""
+    turns = np.broadcast_to(turn[:, :d, :d], (count, d, d))
+    return Pose.sound(np.broadcast_to(place[:, :d], (count, d)), turns)
 
 
 def _steps(turn: Array, place: Array) -> tuple[Array, Array, int]:
