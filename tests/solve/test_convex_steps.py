@@ -115,3 +115,17 @@ def test_a_round_body_touches_a_plane_in_one_point() -> None:
     rows = held_rows(planes.samples, planes.around(guessed(problem), 10.0), 0.2, 10.0)
     assert len(rows.gap) == rows.groups
     assert rows.plane.shape[1] == 0
+
+
+def test_the_line_on_which_a_cylinder_lies_is_among_its_points() -> None:
+    shape = {"type": "cylinder", "radius_m": 1.0, "length_m": 3.0, "axis": "x"}
+    floor = structure("floor", [5, 0, -2.5], box(40.0, 40.0, 1.0))
+    lying = spacecraft(parts=[{"name": "hull", "shape": shape}])
+    problem = posed(scenario(lying, structures=[floor]), 2, 2, sites=[])
+    planes = planes_of(problem)
+    around = planes.around(guessed(problem), 10.0)
+    plain, tilted = (held_rows(planes.samples, around, tilt, 10.0) for tilt in (0.0, 0.2))
+    # Those that tilted normals find lie higher up its side, by 2 cm.
+    below = tilted.group < 0
+    room = np.min(tilted.gap[below]) + np.min(tilted.gap[~below])
+    assert room == pytest.approx(plain.gap[0], abs=1e-9)

@@ -105,9 +105,11 @@ def _touching(side: Side, tilt: float) -> list[tuple[Flags, Array]]:
     flat = np.zeros(len(n), dtype=bool)
     for far, drop in zip(apart, drops, strict=True):
         flat |= (far > SAME_POINT_M) & (drop <= ROUND * tilt * far)
-    # Where the shape is round, or a corner touches, the point itself stands alone.
+    # Where the shape is round, or a corner touches, the point itself stands alone. Where it is
+    # round to one side only, as a cylinder that lies on its side, none of those found is as near.
+    lowest = np.min(drops, axis=0)
     found = [(new & flat, v) for new, v in found]
-    found.append((~flat, point))
+    found.append((~flat | (lowest > SAME_POINT_M), point))
     return found
 
 
