@@ -187,7 +187,10 @@ class _Work:
         return finished if plain and not self.smaller else None
 
     def judge(self, best: Refinement) -> None:
-        """Give the plan the better of the costates at hand, and find how near it is to optimal."""
+        """Give the plan the better of the costates at hand, and find how near it is to optimal;
+        which multipliers tell that know of separation."""
+        if best.stepped:
+            return
         if best.plan is not None and best.verification is not None:
             best.plan, self.extremality = with_best_costates(self.scenario, best.plan)
             best.verification = with_costates_of(self.scenario, best.plan, best.verification)

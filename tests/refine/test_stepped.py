@@ -27,6 +27,9 @@ def test_a_crowd_is_passed_and_certified_without_planes_as_variables() -> None:
     assert result.outcome == CERTIFIED
     assert result.verification is not None
     assert result.verification.clearance_lower_bound_m >= result.verification.required_clearance_m
+    # Its multipliers are those of a problem without things in the way.
+    assert result.second_order is None
+    assert result.extremality is None
 
 
 def test_a_few_things_are_left_to_the_exact_form(monkeypatch) -> None:

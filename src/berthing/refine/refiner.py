@@ -91,6 +91,7 @@ class Refinement:
         answer: the last solve that ended well, whether its plan is certified or not.
         astray: whether an answer stepped through something, so that there was no point in going on.
         finished: the solve with rows at its touches that the plan came from, if it did.
+        stepped: whether planes were held, so that separation has no multipliers.
     """
 
     answer: Answer | None = None
@@ -100,6 +101,7 @@ class Refinement:
     attempts: list[Attempt] = field(default_factory=list)
     astray: bool = False
     finished: Answer | None = None
+    stepped: bool = False
 
     @property
     def certified(self) -> bool:

@@ -69,7 +69,7 @@ SAME = 0.1
 
 def stepped(refiner: Refiner, name: str, coarse: Problem, motion: Motion) -> Refinement:
     """Refine ``motion``, the answer of ``coarse``, until certified or out of rounds."""
-    result, failed = Refinement(), 0
+    result, failed = Refinement(stepped=True), 0
     guessed = trajectories(coarse, motion)
     mesh = graded(coarse.mesh, refiner.phase, guessed, refiner.mesh.segments)
     motion = resample(motion, refiner.phase, coarse.mesh, mesh)
