@@ -5,6 +5,7 @@ from __future__ import annotations
 from contextlib import closing
 from math import inf
 
+import numpy as np
 import pytest
 
 from berthing.guess.search import EFFORTS
@@ -27,7 +28,10 @@ def test_a_crowd_is_passed_and_certified_without_planes_as_variables() -> None:
     assert result.outcome == CERTIFIED
     assert result.verification is not None
     assert result.verification.clearance_lower_bound_m >= result.verification.required_clearance_m
-    # Its multipliers are those of a problem without things in the way.
+    # Multipliers at hand are those of a problem without things in the way.
+    assert result.plan is not None
+    assert np.all(np.isnan(result.plan.nodes[0].costates))
+    assert result.plan.cost_per_margin is None
     assert result.second_order is None
     assert result.extremality is None
 

@@ -344,6 +344,8 @@ class Refiner:
     def verify(self, result: Refinement, step: Step) -> None:
         """Make a plan of a solved step and check it; ``result`` takes both."""
         plan = make_plan(self.scenario, step.problem, step.outcome, self.formulation, self.seed)
+        if result.stepped:
+            plan = without_multipliers(plan)
         result.plan, result.verification = plan, verify(self.scenario, plan)
 
     def _after(
@@ -389,6 +391,15 @@ def make_plan(
             problem, outcome.x, outcome.parameters, outcome.multipliers, outcome.motion.duration_s
         ),
     )
+
+
+def without_multipliers(plan: Plan) -> Plan:
+    """The plan without costates and multipliers, where those at hand know of no separation."""
+    nodes = tuple(
+        replace(own, costates=np.full_like(own.costates, np.nan), multipliers={})
+        for own in plan.nodes
+    )
+    return replace(plan, nodes=nodes, cost_per_margin=None)
 
 
 def _least(sampled: SampledClearance) -> float | None:
